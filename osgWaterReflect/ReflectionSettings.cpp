@@ -1,0 +1,22 @@
+#include <osgWaterReflect/ReflectionSettings>
+
+#include "Check.h"
+
+using namespace osgWaterReflect;
+
+bool ReflectionSettings::check() const
+{
+    if (search != Search::SEQUENTIAL && search != Search::BINARY)
+        return refuse("ReflectionSettings::search", "a member of Search", static_cast<int>(search));
+    if (!expectPositive("ReflectionSettings::thickness", thickness)) return false;
+    if (!expectRange("ReflectionSettings::stride", stride, 1, 64)) return false;
+    if (!(captureScale > 0.0 && captureScale <= 1.0))
+        return refuse("ReflectionSettings::captureScale", "a value in (0, 1]", captureScale);
+    return true;
+}
+
+bool ReflectionSettings::operator==(const ReflectionSettings& rhs) const
+{
+    return search == rhs.search && thickness == rhs.thickness && stride == rhs.stride &&
+           captureScale == rhs.captureScale;
+}

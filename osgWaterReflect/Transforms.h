@@ -1,0 +1,71 @@
+#ifndef OSGWATERREFLECT_TRANSFORMS_H
+#define OSGWATERREFLECT_TRANSFORMS_H
+
+#include <osg/Matrixd>
+#include <osg/Matrixf>
+#include <osg/Vec2d>
+#include <osg/Uniform>
+#include <osg/Vec3d>
+
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/mat4x4.hpp>
+
+/// The one place where matrices change hands. OpenSceneGraph multiplies row vectors, v * A * B;
+/// everything here multiplies columns and is named destination first, so that a chain reads
+/// clipFromEye * eyeFromWorld * pointWorld and checks itself by eye. Both store the same bytes.
+namespace osgWaterReflect
+{
+
+inline glm::dmat4 fromOsg(const osg::Matrixd& matrix)
+{
+    return glm::make_mat4(matrix.ptr());
+}
+
+inline osg::Matrixd toOsg(const glm::dmat4& matrix)
+{
+    return osg::Matrixd(glm::value_ptr(matrix));
+}
+
+inline osg::Matrixf toOsgFloat(const glm::dmat4& matrix)
+{
+    return osg::Matrixf(glm::value_ptr(matrix));
+}
+
+inline osg::Matrix3 toOsgFloat(const glm::dmat3& matrix)
+{
+    osg::Matrix3 single;
+    for (int i = 0; i < 9; ++i)
+        single.ptr()[i] = static_cast<float>(glm::value_ptr(matrix)[i]);
+    return single;
+}
+
+inline glm::dvec3 fromOsg(const osg::Vec3d& v)
+{
+    return glm::dvec3(v.x(), v.y(), v.z());
+}
+
+inline osg::Vec3d toOsg(const glm::dvec3& v)
+{
+    return osg::Vec3d(v.x, v.y, v.z);
+}
+
+/// The matrix that carries normals where m carries points: the inverse transpose.
+inline glm::dmat3 normalMatrix(const glm::dmat4& m)
+{
+    return glm::transpose(glm::inverse(glm::dmat3(m)));
+}
+
+/// Centre of projection in eye space, homogeneous: (0, 0, 0, 1) in perspective, the direction
+/// toward the eye and 0 in an orthographic view.
+inline glm::dvec4 eyePointOf(const glm::dmat4& clipFromEye)
+{
+    const bool orthographic =
+        clipFromEye[0][3] == 0.0 && clipFromEye[1][3] == 0.0 && clipFromEye[2][3] == 0.0;
+    if (!orthographic) return glm::dvec4(0.0, 0.0, 0.0, 1.0);
+    return glm::dvec4(-clipFromEye[2][0] / clipFromEye[0][0],
+                      -clipFromEye[2][1] / clipFromEye[1][1], 1.0, 0.0);
+}
+
+} // namespace osgWaterReflect
+
+#endif

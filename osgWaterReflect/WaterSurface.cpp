@@ -1,0 +1,204 @@
+#include <osgWaterReflect/WaterSurface>
+
+#include "Check.h"
+#include "ViewRecord.h"
+#include "surface/StillWater.h"
+
+#include <osg/Geometry>
+#include <osg/io_utils>
+#include <osgUtil/Tessellator>
+
+using namespace osgWaterReflect;
+
+namespace
+{
+
+bool isFinite(const osg::Vec3& v)
+{
+    return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
+}
+
+// Twice the area that an outline encloses, along its normal [Newell].
+osg::Vec3d areaVector(const WaterSurface::Outline& outline)
+{
+    osg::Vec3d area;
+    const osg::Vec3d origin(outline.front());
+    for (std::size_t i = 1; i + 1 < outline.size(); ++i)
+        area += (osg::Vec3d(outline[i]) - origin) ^ (osg::Vec3d(outline[i + 1]) - origin);
+    return area;
+}
+
+bool checkOutline(const WaterSurface::Outline& outline)
+{
+    const char* member = "WaterSurface::createPolygon";
+    if (outline.size() < 3) return refuse(member, "at least 3 corners", outline.size());
+    for (const osg::Vec3& corner : outline)
+        if (!isFinite(corner)) return refuse(member, "finite corners", corner);
+    const double area = 0.5 * areaVector(outline).length();
+    return area > 0.0 || refuse(member, "an outline with an area", area);
+}
+
+osg::ref_ptr<osg::Geometry> createGeometry(osg::Vec3Array* vertices)
+{
+    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+    geometry->setVertexArray(vertices);
+    return geometry;
+}
+
+} // namespace
+
+WaterSurface::WaterSurface() = default;
+
+WaterSurface::WaterSurface(const WaterSurface& rhs, const osg::CopyOp& copyop) :
+    osg::Geode(rhs, copyop), _reflection(rhs._reflection), _optics(rhs._optics),
+    _detail(rhs._detail), _waves(rhs._waves),
+    _sky(static_cast<osg::TextureCubeMap*>(copyop(rhs._sky.get()))), _debugView(rhs._debugView)
+{
+}
+
+WaterSurface::~WaterSurface() = default;
+
+WaterSurface* WaterSurface::createRectangle(const osg::Vec3& centre, const osg::Vec3& lengthVec,
+                                            const osg::Vec3& widthVec)
+{
+    const char* member = "WaterSurface::createRectangle";
+    for (const osg::Vec3& v : {centre, lengthVec, widthVec})
+        if (!isFinite(v))
+        {
+            refuse(member, "finite vectors", v);
+            return nullptr;
+        }
+    const double area = (lengthVec ^ widthVec).length();
+    if (!(area > 0.0))
+    {
+        refuse(member, "sides that span an area", area);
+        return nullptr;
+    }
+
+    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+    const osg::Vec3 corner = centre - (lengthVec + widthVec) * 0.5f;
+    vertices->push_back(corner);
+    vertices->push_back(corner + lengthVec);
+    vertices->push_back(corner + lengthVec + widthVec);
+    vertices->push_back(corner + widthVec);
+    osg::ref_ptr<osg::Geometry> geometry = createGeometry(vertices);
+    geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_FAN, 0, 4));
+
+    osg::ref_ptr<WaterSurface> water = new WaterSurface;
+    water->addDrawable(geometry);
+    return water.release();
+}
+
+WaterSurface* WaterSurface::createPolygon(const Outline& outline, const std::vector<Outline>& holes)
+{
+    if (!checkOutline(outline)) return nullptr;
+    for (const Outline& hole : holes)
+        if (!checkOutline(hole)) return nullptr;
+
+    // The outline's own way round decides only where the plane is vertical.
+    osg::Vec3d normal = areaVector(outline);
+    if (normal.z() < -1e-6 * normal.length()) normal = -normal;
+    normal.normalize();
+
+    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+    osg::ref_ptr<osg::Geometry> geometry = createGeometry(vertices);
+    const auto addContour = [&](const Outline& contour)
+    {
+        geometry->addPrimitiveSet(
+            new osg::DrawArrays(GL_POLYGON, vertices->size(), contour.size()));
+        vertices->insert(vertices->end(), contour.begin(), contour.end());
+    };
+    addContour(outline);
+    for (const Outline& hole : holes)
+        addContour(hole);
+
+    osg::ref_ptr<osgUtil::Tessellator> tessellator = new osgUtil::Tessellator;
+    tessellator->setTessellationType(osgUtil::Tessellator::TESS_TYPE_GEOMETRY);
+    tessellator->setWindingType(osgUtil::Tessellator::TESS_WINDING_ODD);
+    tessellator->setTessellationNormal(normal);
+    tessellator->retessellatePolygons(*geometry);
+
+    osg::ref_ptr<WaterSurface> water = new WaterSurface;
+    water->addDrawable(geometry);
+    return water.release();
+}
+
+bool WaterSurface::setReflection(const ReflectionSettings& settings)
+{
+    if (!settings.check()) return false;
+    _reflection = settings;
+    return true;
+}
+
+bool WaterSurface::setOptics(const WaterOptics& optics)
+{
+    if (!optics.check()) return false;
+    _optics = optics;
+    return true;
+}
+
+bool WaterSurface::setDetail(const SurfaceDetail& detail)
+{
+    if (!detail.check()) return false;
+    _detail = detail;
+    return true;
+}
+
+void WaterSurface::setWaves(WaveModel* waves)
+{
+    _waves = waves;
+    dirtyBound();
+}
+
+// Runs before any cull, in one thread, whenever a drawable's shape has changed: the place to take
+// the sheets from the drawables.
+osg::BoundingSphere WaterSurface::computeBound() const
+{
+    osg::BoundingSphere bound = osg::Geode::computeBound();
+    _stillWaters.clear();
+    for (unsigned int i = 0; i < getNumDrawables(); ++i)
+    {
+        osg::ref_ptr<StillWater> sheet =
+            StillWater::create(const_cast<osg::Drawable&>(*getDrawable(i)));
+        if (sheet) _stillWaters.push_back(sheet);
+    }
+    if (_waves)
+    {
+        for (const osg::ref_ptr<StillWater>& sheet : _stillWaters)
+            _bbox.expandBy(sheet->localBound(_waves->getAmplitude()));
+        bound = osg::BoundingSphere(_bbox);
+    }
+    return bound;
+}
+
+void WaterSurface::traverse(osg::NodeVisitor& visitor)
+{
+    osgUtil::CullVisitor* view = visitor.asCullVisitor();
+    if (!view)
+    {
+        osg::Geode::traverse(visitor);
+        return;
+    }
+    if (auto* capture = dynamic_cast<CaptureVisitor*>(view))
+    {
+        capture->meet(*this);
+        return;
+    }
+    if (!Capture::serves(*view)) return;
+
+    getBound(); // the sheets are as of the last bound
+    const double amplitude = _waves ? _waves->getAmplitude() : 0.0;
+    for (const osg::ref_ptr<StillWater>& sheet : _stillWaters)
+        if (!view->isCulled(sheet->localBound(amplitude)))
+            ViewRecord::of(*view).draw(*this, *sheet);
+}
+
+void WaterSurface::releaseGLObjects(osg::State* state) const
+{
+    osg::Geode::releaseGLObjects(state);
+}
+
+void WaterSurface::resizeGLObjectBuffers(unsigned int maxSize)
+{
+    osg::Geode::resizeGLObjectBuffers(maxSize);
+}

@@ -1,0 +1,128 @@
+#include "CaptureVisitor.h"
+
+#include <osg/Camera>
+
+#include <algorithm>
+
+using namespace osgWaterReflect;
+
+namespace
+{
+
+// The StateSets that a view's cull has pushed so far, outermost first.
+std::vector<const osg::StateSet*> pushedStateSets(osgUtil::CullVisitor& view)
+{
+    std::vector<const osg::StateSet*> stateSets;
+    for (const osgUtil::StateGraph* graph = view.getCurrentStateGraph(); graph;
+         graph = graph->_parent)
+        if (graph->getStateSet()) stateSets.push_back(graph->getStateSet());
+    std::reverse(stateSets.begin(), stateSets.end());
+    return stateSets;
+}
+
+// Of these, how many belong to the view itself: through the one that osgUtil::SceneView keeps the
+// frame's uniforms in, which it pushes last before it enters the scene.
+std::size_t countOfView(const std::vector<const osg::StateSet*>& stateSets)
+{
+    for (std::size_t i = 0; i < stateSets.size(); ++i)
+        if (stateSets[i]->getUniform("osg_FrameNumber") ||
+            stateSets[i]->getUniform("osg_ViewMatrix"))
+            return i + 1;
+    return 0;
+}
+
+} // namespace
+
+void CaptureVisitor::cull(osgUtil::CullVisitor& view, osgUtil::RenderStage& stage,
+                          osg::RefMatrix& projection)
+{
+    osgUtil::RenderStage& viewStage = *view.getCurrentRenderStage();
+    osg::Camera& camera = *view.getCurrentCamera();
+
+    // The path from the view's root to the innermost camera that renders on its own; empty where
+    // that is the view's own camera.
+    const osg::NodePath& path = view.getNodePath();
+    const auto found = std::find(path.begin(), path.end(), &camera);
+    const osg::NodePath cameraPath(path.begin(), found == path.end() ? path.begin() : found + 1);
+
+    reset();
+    _waters.clear();
+    setFrameStamp(const_cast<osg::FrameStamp*>(view.getFrameStamp()));
+    setTraversalNumber(view.getTraversalNumber());
+    setTraversalMask(view.getTraversalMask());
+    setTraversalMode(view.getTraversalMode());
+    setNodeMaskOverride(view.getNodeMaskOverride());
+    setDatabaseRequestHandler(view.getDatabaseRequestHandler());
+    setImageRequestHandler(view.getImageRequestHandler());
+    setCullSettings(view);
+    setRenderInfo(view.getRenderInfo());
+
+    _captureStateGraph->clean();
+    stage.reset();
+    setStateGraph(_captureStateGraph.get());
+    setRenderStage(&stage);
+    stage.setInitialViewMatrix(viewStage.getInitialViewMatrix());
+    stage.setColorMask(viewStage.getColorMask());
+    stage.setClearColor(viewStage.getClearColor());
+    stage.setClearMask(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+
+    // Lights given from outside the scene: a head light, or those above a nested camera. They are
+    // the stage's that the view inherits from; the scene's own are met again by this cull.
+    osgUtil::PositionalStateContainer* inherited = viewStage.getInheritedPositionalStateContainer();
+    if (inherited)
+    {
+        stage.setInheritedPositionalStateContainer(inherited);
+        stage.setInheritedPositionalStateContainerMatrix(
+            viewStage.getInheritedPositionalStateContainerMatrix());
+    }
+    else
+    {
+        stage.setInheritedPositionalStateContainer(viewStage.getPositionalStateContainer());
+    }
+
+    // State from outside the captured scene. The water's own and that of the nodes between is
+    // left out: it is not above the rest of the scene.
+    std::vector<const osg::StateSet*> stateSets = pushedStateSets(view);
+    stateSets.resize(countOfView(stateSets));
+    for (const osg::Node* node : cameraPath)
+        if (node->getStateSet()) stateSets.push_back(node->getStateSet());
+    for (const osg::StateSet* stateSet : stateSets)
+        pushStateSet(stateSet);
+    for (osg::Node* node : cameraPath)
+        pushOntoNodePath(node);
+
+    pushViewport(viewStage.getViewport());
+    pushProjectionMatrix(&projection);
+    pushModelViewMatrix(const_cast<osg::RefMatrix*>(viewStage.getInitialViewMatrix()),
+                        osg::Transform::ABSOLUTE_RF);
+
+    if (osg::Callback* callback = camera.getCullCallback())
+        callback->run(&camera, this);
+    else
+        traverse(camera);
+
+    popModelViewMatrix();
+    popProjectionMatrix();
+    popViewport();
+    for (std::size_t i = 0; i < cameraPath.size(); ++i)
+        popFromNodePath();
+    for (std::size_t i = 0; i < stateSets.size(); ++i)
+        popStateSet();
+
+    stage.sort();
+    _captureStateGraph->prune();
+}
+
+// Cameras of the scene that render on their own have been, or will be, culled by the view: a
+// texture rendered once a frame serves both, and a head-up display is not part of the scene.
+void CaptureVisitor::apply(osg::Camera& camera)
+{
+    const osg::NodePath& path = getNodePath();
+    const bool inScene = path.size() > 1 && path[path.size() - 2]->asGroup() &&
+                         path[path.size() - 2]->asGroup()->containsNode(&camera);
+    const bool inViewScene = path.size() == 1; // a child of the view's own camera
+    const bool ownStage = camera.getRenderOrder() != osg::Camera::NESTED_RENDER;
+    if (ownStage && (inScene || inViewScene || camera.getRenderOrder() == osg::Camera::POST_RENDER))
+        return;
+    osgUtil::CullVisitor::apply(camera);
+}

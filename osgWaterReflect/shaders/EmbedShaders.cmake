@@ -1,0 +1,11 @@
+# Writes OUTPUT, a C++ file that defines the table of shader sources, from the files in SOURCES.
+set(content "// Written by shaders/EmbedShaders.cmake from the files beside it.\n")
+string(APPEND content "#include \"ShaderSource.h\"\n\n")
+string(APPEND content "const std::map<std::string, std::string> osgWaterReflect::embeddedShaders = {\n")
+foreach(source IN LISTS SOURCES)
+    get_filename_component(name "${source}" NAME)
+    file(READ "${source}" text)
+    string(APPEND content "    {\"${name}\", R\"glsl(${text})glsl\"},\n")
+endforeach()
+string(APPEND content "};\n")
+file(WRITE "${OUTPUT}" "${content}")

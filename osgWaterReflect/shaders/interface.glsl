@@ -1,0 +1,69 @@
+// Every binding of the water's program: what the C++ side sets and what the stages hand on.
+// The library's prefix is written here and in trace/Bindings.h only; all other pieces use the
+// short names below.
+#pragma import_defines(OSGWR_SEARCH, OSGWR_SKY, OSGWR_OUTPUT)
+
+// The axes of variation, one enumerated define each.
+#define SEARCH_SEQUENTIAL 1
+#define SEARCH_BINARY 2
+#define SKY_CAPTURED 1
+#define SKY_CUBE_MAP 2
+#define OUTPUT_WATER 1
+#define OUTPUT_REASON 2
+#define OUTPUT_REFLECTION 3
+
+// The capture: an image of the scene without water, and the matrix it was taken with.
+uniform sampler2D osgwr_captureColour;   // the frame's colour, any format
+uniform sampler2D osgwr_captureWindowZ;  // windowZ in [0, 1]; 1 where nothing was drawn
+uniform vec2 osgwr_captureSize;          // [pixels]
+uniform mat4 osgwr_captureClipFromEye;
+uniform vec2 osgwr_captureDepthScale;    // (|C_zw|, |C_zz|) / 2; the one not in use is 0
+uniform vec3 osgwr_clearColour;
+#define captureColour osgwr_captureColour
+#define captureWindowZ osgwr_captureWindowZ
+#define captureSize osgwr_captureSize
+#define captureClipFromEye osgwr_captureClipFromEye
+#define captureDepthScale osgwr_captureDepthScale
+#define clearColour osgwr_clearColour
+
+// The view.
+uniform vec4 osgwr_eyePointEye;          // centre of projection, homogeneous: (0, 0, 0, 1) or (direction, 0)
+uniform mat3 osgwr_worldFromEye;         // rotation
+#define eyePointEye osgwr_eyePointEye
+#define worldFromEye osgwr_worldFromEye
+
+// The water.
+uniform mat3 osgwr_normalEyeFromSurface; // inverse transpose, so that normals stay normals
+uniform mat4 osgwr_surfaceFromEye;       // to the wave model's plane coordinates and the height over the still water
+uniform float osgwr_side;                // +1: the eye is above the water; -1: below
+uniform float osgwr_refractiveIndex;     // n(water) / n(air)
+uniform vec3 osgwr_waterColour;          // what the water sends back where it does not reflect
+uniform float osgwr_thickness;           // [world units]
+uniform float osgwr_stride;              // [pixels]
+#define normalEyeFromSurface osgwr_normalEyeFromSurface
+#define surfaceFromEye osgwr_surfaceFromEye
+#define side osgwr_side
+#define refractiveIndex osgwr_refractiveIndex
+#define waterColour osgwr_waterColour
+#define thickness osgwr_thickness
+#define stride osgwr_stride
+
+uniform samplerCube osgwr_sky;           // looked up with a direction in world space
+#define skyCubeMap osgwr_sky
+
+// Trochoidal waves.
+#define MAX_WAVES 32
+uniform vec4 osgwr_waves[MAX_WAVES];     // wave vector [rad/m], amplitude [m], phase now at place (0, 0) [rad]
+uniform int osgwr_waveCount;
+uniform int osgwr_waveIterations;        // Newton steps to the rest place
+uniform float osgwr_waveRise;            // [m] lifts the mean height to 0
+#define waves osgwr_waves
+#define waveCount osgwr_waveCount
+#define waveIterations osgwr_waveIterations
+#define waveRise osgwr_waveRise
+
+// From the vertex to the fragment stage.
+varying vec3 osgwr_pointEye;             // the displaced water point
+varying vec2 osgwr_place;                // its place in the wave model's plane coordinates [m]
+#define pointEye osgwr_pointEye
+#define place osgwr_place

@@ -1,0 +1,16 @@
+#version 130
+#include "interface.glsl"
+#include "waves"
+#include "fresnel.glsl"
+#include "ray.glsl"
+#include "search.glsl"
+#include "sky.glsl"
+#include "reflection.glsl"
+#include "shade.glsl"
+
+out vec4 fragmentColour;
+
+void main()
+{
+    fragmentColour = vec4(shadeWater(pointEye, place), 1.0);
+}

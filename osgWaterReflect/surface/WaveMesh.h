@@ -1,0 +1,59 @@
+#ifndef OSGWATERREFLECT_SURFACE_WAVEMESH_H
+#define OSGWATERREFLECT_SURFACE_WAVEMESH_H
+
+#include "StillWater.h"
+
+#include <osgWaterReflect/SurfaceDetail>
+
+#include <osg/Geometry>
+
+#include <glm/mat4x4.hpp>
+
+namespace osgWaterReflect
+{
+
+/// From where a sheet of water is seen: what decides how finely it is divided.
+struct SheetView
+{
+    glm::dmat4 eyeFromSurface{1.0};
+    glm::dmat4 clipFromEye{1.0};
+    double viewportWidth = 0.0;  ///< [pixels]
+    double viewportHeight = 0.0; ///< [pixels]
+    double amplitude = 0.0;      ///< of the waves [surface units]
+    double shortestEdge = 0.0;   ///< [surface units] finer than this serves no wave
+
+    bool operator==(const SheetView& rhs) const;
+};
+
+/// A sheet of water divided for one view: halves every edge that is too long on screen until none
+/// is left, without cracks, since an edge alone decides whether it is halved. Outlines, concave
+/// ones and holes too, stay where they are. What lies outside the view is left out.
+class WaveMesh : public osg::Referenced
+{
+public:
+    WaveMesh();
+
+    /// Divides the sheet anew where the view, the detail or the sheet is another than last time.
+    void update(const StillWater& water, const SheetView& view, const SurfaceDetail& detail);
+
+    /// Vertices in surface space about the anchor, z = 0.
+    osg::Geometry* geometry() const { return _geometry.get(); }
+
+    /// Foot of the eye on the still plane when the mesh was last divided [surface units].
+    const glm::dvec2& anchor() const { return _anchor; }
+
+    /// What maxEdgePixels was multiplied with to keep to maxVertices, >= 1.
+    double coarsening() const { return _coarsening; }
+
+private:
+    osg::ref_ptr<osg::Geometry> _geometry;
+    osg::ref_ptr<const StillWater> _water;
+    SheetView _view;
+    SurfaceDetail _detail;
+    glm::dvec2 _anchor{0.0};
+    double _coarsening = 1.0;
+};
+
+} // namespace osgWaterReflect
+
+#endif

@@ -1,0 +1,42 @@
+#ifndef OSGWATERREFLECT_TRACE_SHEETPASS_H
+#define OSGWATERREFLECT_TRACE_SHEETPASS_H
+
+#include "../capture/Capture.h"
+#include "../surface/WaveMesh.h"
+
+#include <osgWaterReflect/WaterSurface>
+
+#include <osg/StateSet>
+
+namespace osgWaterReflect
+{
+
+/// One sheet of water in one view: the state and the mesh that trace and shade its pixels.
+///
+/// It is culled and drawn by one CullVisitor only, so that a frame still being drawn is never
+/// written to.
+class SheetPass : public osg::Referenced
+{
+public:
+    SheetPass();
+
+    /// Adds the sheet to the view, drawn after what is opaque and before what is transparent.
+    /// The view is at the water node in its traversal; the capture is this frame's.
+    void draw(osgUtil::CullVisitor& view, const Capture& capture, const WaterSurface& water,
+              const StillWater& sheet);
+
+    void releaseGLObjects(osg::State* state) const;
+    void resizeGLObjectBuffers(unsigned int maxSize);
+
+private:
+    void setCapture(const Capture& capture);
+    void setWater(const WaterSurface& water);
+
+    osg::ref_ptr<osg::StateSet> _stateSet;
+    osg::ref_ptr<WaveMesh> _waveMesh; // null until waves ask for it
+    std::string _wavesShader;
+};
+
+} // namespace osgWaterReflect
+
+#endif
