@@ -1,5 +1,10 @@
 // The colour that a reflected ray brings: found in the capture, or the sky's.
 
+// How much deeper than what hides it a ray may be, over the depth of the latter, to be shown its
+// colour. Houses and trees of a shore hide one another within half their distance; a branch ahead
+// of the eye hides things many times as far.
+const float HIDING_REACH = 0.5;
+
 struct Reflection
 {
     vec3 colour;
@@ -19,10 +24,16 @@ Reflection traceReflection(vec3 originEye, vec3 dirEye)
     if (result.reason == REASON_HIT && heightOverWater < -0.001 * rayLength)
         result.reason = REASON_BELOW_WATER;
 
+    // A ray that ended behind something most often met its far side or what stands close behind:
+    // what hides it is seen in its place. What is much nearer to the eye is no such thing.
+    bool hiddenClosely = result.reason == REASON_BEHIND &&
+        result.hidden <= HIDING_REACH * captureDepthScale.x *
+                         mix(ray.inverseDepth.x, ray.inverseDepth.y, result.s);
+
     Reflection reflection;
     reflection.reason = result.reason;
-    if (result.reason == REASON_HIT)
-        reflection.colour = finiteColour(textureLod(captureColour, result.window / captureSize, 0.0).rgb);
+    if (result.reason == REASON_HIT || hiddenClosely)
+        reflection.colour = finiteColour(texelFetch(captureColour, ivec2(result.window), 0).rgb);
     else
         reflection.colour = skyColour(ray, dirEye);
     return reflection;

@@ -3,11 +3,14 @@
 struct TraceResult
 {
     int reason;           // REASON_…
-    float s;              // of a hit: where on the segment, [0, 1]
-    vec2 window;          // of a hit: where in the image [pixels]
+    float s;              // where on the segment, [0, 1]: of a hit, or where a ray that ended
+                          // behind something went behind it
+    vec2 window;          // the same place in the image [pixels]
+    float hidden;         // its depth behind the surface there [windowZ]
 };
 
-// Columns whose centres the segment passes, from the first one after its start.
+// Columns whose centres the segment passes, from the first one after its start; the end itself
+// stands for the last, of which only a part is passed.
 struct Columns
 {
     float first;          // s at the first centre
@@ -21,27 +24,21 @@ Columns columnsOf(ImageRay ray)
     bool alongX = abs(extent.x) >= abs(extent.y);
     float start = alongX ? ray.start.x : ray.start.y;
     float signedLength = alongX ? extent.x : extent.y;
-    float length = abs(signedLength);
+    // Shorter than a hundredth of a pixel: the start's own pixel, once, over the whole segment.
+    float length = max(abs(signedLength), 0.01);
     float toCentre = signedLength >= 0.0 ? floor(start + 0.5) + 0.5 - start
                                          : start - ceil(start - 0.5) + 0.5;
-    // Half a hundredth of a pixel: the rounding of a centre that lies on the end.
-    float beyond = length - toCentre + 0.005;
-
     Columns columns;
-    if (beyond < 0.0)
-    {
-        // Shorter than a pixel: the start's own pixel, over the whole segment.
-        columns.first = 0.5;
-        columns.step = 1.0;
-        columns.count = 1;
-    }
-    else
-    {
-        columns.first = toCentre / length;
-        columns.step = stride / length;
-        columns.count = int(beyond / stride) + 1;
-    }
+    columns.first = toCentre / length;
+    columns.step = stride / length;
+    columns.count = int(max(length - toCentre, 0.0) / stride) + 2;
     return columns;
+}
+
+// s of a column, from 0.
+float columnAt(Columns columns, int i)
+{
+    return min(columns.first + float(i) * columns.step, 1.0);
 }
 
 float capturedWindowZ(vec2 window)
@@ -58,12 +55,26 @@ float thicknessWindowZ(float inverseDepth)
     return captureDepthScale.x * perspective + captureDepthScale.y * t + 1.2e-7;
 }
 
-// The ray's place within half a column of s at which it crosses the depth of the pixel there.
-float crossing(ImageRay ray, float s, float surfaceZ, float halfStep)
+// windowZ of the surface at a place on a column's centre line: between the column's two nearest
+// pixels, unless the surface jumps there by more than its thickness.
+float surfaceBetween(vec2 window, vec2 extent, float thick)
 {
-    float slope = ray.end.z - ray.start.z;
-    float exact = abs(slope) > 1e-12 ? (surfaceZ - ray.start.z) / slope : s;
-    return clamp(exact, max(s - halfStep, 0.0), min(s + halfStep, 1.0));
+    vec2 across = abs(extent.x) >= abs(extent.y) ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
+    float fraction = fract(dot(window, across)) - 0.5;
+    vec2 beside = clamp(window + sign(fraction) * across, vec2(0.5), captureSize - 0.5);
+    float ownZ = capturedWindowZ(window);
+    float besideZ = capturedWindowZ(beside);
+    return abs(besideZ - ownZ) > thick ? ownZ : mix(ownZ, besideZ, abs(fraction));
+}
+
+// Where the ray meets a surface, straight through its depths behind it at two columns.
+//   s                at the second column, one step after the first
+//   before, behind   depth of the ray behind the surface at the first and the second [windowZ]
+//   firstShare       how far back from the second column the surface may be met [steps]
+float crossing(float s, float step, float before, float behind, float firstShare)
+{
+    float back = behind / max(behind - before, 1e-12);
+    return clamp(s - step * clamp(back, -2.0, firstShare), 0.0, 1.0);
 }
 
 #if OSGWR_SEARCH == SEARCH_SEQUENTIAL

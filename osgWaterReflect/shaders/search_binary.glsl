@@ -8,29 +8,41 @@ TraceResult searchImage(ImageRay ray)
 
     float sFront = 0.0;
     float sBehind = 1.0;
-    float surfaceZ = 1.0;
+    float before = -1.0;  // depth of the ray behind the surface, at sFront [windowZ]
+    float behind = -1.0;  // the same at sBehind
+    float surfaceFront = 0.0;
+    float surfaceBehind = 1.0;
     for (float width = columns; width > 0.5; width *= 0.5)
     {
         float s = 0.5 * (sFront + sBehind);
         vec3 window = ray.start + s * extent;
-        float z = capturedWindowZ(window.xy);
-        bool behind = window.z >= z && z < 1.0;
-        sFront = behind ? sFront : s;
-        sBehind = behind ? s : sBehind;
-        surfaceZ = behind ? z : surfaceZ;
+        float surfaceZ = capturedWindowZ(window.xy);
+        float depth = window.z - surfaceZ;
+        if (depth >= 0.0 && surfaceZ < 1.0)
+        {
+            sBehind = s;
+            behind = depth;
+            surfaceBehind = surfaceZ;
+        }
+        else
+        {
+            sFront = s;
+            before = depth;
+            surfaceFront = surfaceZ;
+        }
     }
 
-    // The last place behind a surface is a hit if the ray came no further than its thickness.
-    float halfStep = 0.5 / max(columns, 1.0);
-    float inverseDepth = mix(ray.inverseDepth.x, ray.inverseDepth.y, sBehind);
-    float z = ray.start.z + sBehind * extent.z - halfStep * abs(extent.z);
-    bool found = surfaceZ < 1.0;
-    bool hit = found && z <= surfaceZ + thicknessWindowZ(inverseDepth);
+    // The nearest place behind a surface is a hit if the ray came no further than its thickness.
+    bool found = surfaceBehind < 1.0;
+    float step = sBehind - sFront;
+    float thick = thicknessWindowZ(mix(ray.inverseDepth.x, ray.inverseDepth.y, sBehind));
+    bool hit = found && behind <= thick + step * abs(extent.z);
+    float firstShare = surfaceFront - surfaceBehind > thick ? 0.5 : 2.0;
 
-    float sHit = crossing(ray, sBehind, surfaceZ, halfStep);
     TraceResult result;
     result.reason = hit ? REASON_HIT : found ? REASON_BEHIND : ray.endReason;
-    result.s = sHit;
-    result.window = ray.start.xy + sHit * extent.xy;
+    result.s = crossing(sBehind, step, before, behind, firstShare);
+    result.hidden = behind;
+    result.window = ray.start.xy + result.s * extent.xy;
     return result;
 }

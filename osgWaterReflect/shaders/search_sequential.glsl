@@ -2,36 +2,60 @@
 //
 // A hit is where the ray reaches the surface of a pixel within that pixel's column, having been in
 // front of what the previous column showed, and no further behind than the surface's thickness.
+// Where the surface has just jumped toward the eye, as at the edge of something in front of the
+// ray, it must be reached within these two columns: else the ray passes behind.
 // Background (windowZ 1) is nothing to hit.
 TraceResult searchImage(ImageRay ray)
 {
     Columns columns = columnsOf(ray);
     vec3 extent = ray.end - ray.start;
-    float halfStep = 0.5 * columns.step;
-    float halfStepZ = halfStep * abs(extent.z);
+    float stepZ = min(columns.step, 1.0) * abs(extent.z);
 
     bool inFront = true;
     bool hit = false;
     float s = 0.0;
-    float surfaceZ = 1.0;
+    float surfaceZ = 0.0;  // nothing is known of the surface before the first column: no jump
+    float before = 0.0;    // depth of the ray behind the surface, at the previous column [windowZ]
+    float behind = 0.0;    // the same at this one
+    float jump = 0.0;      // of the surface toward the eye, from the previous column [windowZ]
+    float thick = 0.0;
+    float sHidden = 0.0;   // where the ray last went behind something ...
+    float hidden = 0.0;    // ... and its depth behind that [windowZ]
     for (int i = 0; i < columns.count && !hit; ++i)
     {
-        s = columns.first + float(i) * columns.step;
+        s = columnAt(columns, i);
         vec3 window = ray.start + s * extent;
+        float previousZ = surfaceZ;
         surfaceZ = capturedWindowZ(window.xy);
-        bool reached = window.z + halfStepZ >= surfaceZ && surfaceZ < 1.0;
+        jump = previousZ - surfaceZ;
+        before = behind;
+        behind = window.z - surfaceZ;
+        bool reached = behind + 0.5 * stepZ >= 0.0 && surfaceZ < 1.0;
         if (reached && inFront)
         {
-            float inverseDepth = mix(ray.inverseDepth.x, ray.inverseDepth.y, s);
-            hit = window.z - halfStepZ <= surfaceZ + thicknessWindowZ(inverseDepth);
+            thick = thicknessWindowZ(mix(ray.inverseDepth.x, ray.inverseDepth.y, s));
+            hit = behind <= (jump > thick ? stepZ : thick + 0.5 * stepZ);
+            sHidden = s;
+            hidden = behind;
         }
         inFront = !reached;
     }
 
-    float sHit = crossing(ray, s, surfaceZ, halfStep);
+    // A surface that does not jump is met between these two columns, and between their pixels.
+    float firstShare = 0.5;
+    if (hit && jump <= thick)
+    {
+        vec3 window = ray.start + s * extent;
+        vec3 windowBefore = window - columns.step * extent;
+        behind = window.z - surfaceBetween(window.xy, extent.xy, thick);
+        before = windowBefore.z - surfaceBetween(windowBefore.xy, extent.xy, thick);
+        firstShare = 2.0;
+    }
+
     TraceResult result;
     result.reason = hit ? REASON_HIT : inFront ? ray.endReason : REASON_BEHIND;
-    result.s = sHit;
-    result.window = ray.start.xy + sHit * extent.xy;
+    result.s = hit ? crossing(s, columns.step, before, behind, firstShare) : sHidden;
+    result.hidden = hidden;
+    result.window = ray.start.xy + result.s * extent.xy;
     return result;
 }

@@ -92,7 +92,17 @@ osg::ref_ptr<osg::Image> copyOf(const osg::Image& image)
 
 void keep(const osg::Image& image, const std::string& name)
 {
+    osg::ref_ptr<osg::Image> bytes = new osg::Image;
+    bytes->allocateImage(image.s(), image.t(), 1, GL_RGB, GL_UNSIGNED_BYTE);
+    for (int y = 0; y < image.t(); ++y)
+        for (int x = 0; x < image.s(); ++x)
+        {
+            osg::Vec4 colour = image.getColor(x, y);
+            for (int i = 0; i < 3; ++i)
+                colour[i] = osg::clampBetween(colour[i], 0.0f, 1.0f);
+            bytes->setColor(colour, x, y);
+        }
     const std::string file = std::string(OSGWATERREFLECT_TEST_OUTPUT_DIRECTORY) + "/" + name;
     INFO("writing " << file);
-    CHECK(osgDB::writeImageFile(image, file + ".png"));
+    CHECK(osgDB::writeImageFile(*bytes, file + ".png"));
 }

@@ -2,7 +2,7 @@
 
 #include <osg/Program>
 
-void paintPositions(osg::Node& node, double lowestZ)
+void positionCodes::paint(osg::Node& node, const osg::Plane& ground)
 {
     const char* vertex = R"glsl(#version 130
         varying vec3 placeWorld;
@@ -13,13 +13,14 @@ void paintPositions(osg::Node& node, double lowestZ)
         }
     )glsl";
     const char* fragment = R"glsl(#version 130
-        uniform float lowestZ;
+        uniform vec4 ground;
+        uniform float offset;
         varying vec3 placeWorld;
         out vec4 colour;
         void main()
         {
-            if (placeWorld.z < lowestZ) discard;
-            colour = vec4(placeWorld, 1.0);
+            if (dot(ground, vec4(placeWorld, 1.0)) < 0.0) discard;
+            colour = vec4(placeWorld + offset, 1.0);
         }
     )glsl";
     osg::ref_ptr<osg::Program> program = new osg::Program;
@@ -28,6 +29,18 @@ void paintPositions(osg::Node& node, double lowestZ)
 
     osg::StateSet* stateSet = node.getOrCreateStateSet();
     stateSet->setAttributeAndModes(program, osg::StateAttribute::ON);
-    stateSet->addUniform(new osg::Uniform("lowestZ", static_cast<float>(lowestZ)));
+    stateSet->addUniform(new osg::Uniform("ground", osg::Vec4f(ground.asVec4())));
+    stateSet->addUniform(new osg::Uniform("offset", static_cast<float>(OFFSET)));
     stateSet->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
+}
+
+// Debug colours and black lie in [0, 1]; a place near the far corner would too, but is not used.
+bool positionCodes::isPlace(const osg::Vec4& colour)
+{
+    return colour.r() > 1.0f && colour.g() > 1.0f && colour.b() > 1.0f;
+}
+
+osg::Vec3d positionCodes::place(const osg::Vec4& colour)
+{
+    return osg::Vec3d(colour.r() - OFFSET, colour.g() - OFFSET, colour.b() - OFFSET);
 }
