@@ -46,13 +46,28 @@ float capturedWindowZ(vec2 window)
     return texelFetch(captureWindowZ, ivec2(window), 0).r;
 }
 
-// Depth behind a visible surface, in windowZ, that still counts as inside it, where the ray's
-// 1 / depth is given. Never below two steps of a 24-bit depth buffer.
+// A surface counts as continuous from pixel to pixel up to this slope against the image plane:
+// 76 degrees.
+const float STEEPEST_SLOPE = 4.0;
+
+// How far a ray may enter a body behind the edge of it that is seen, in pixels: the outermost pixel
+// of a ball lies as far in front of its outline, the square root of its diameter of 256 pixels.
+const float EDGE_DEPTH = 16.0;
+
+// Depth [windowZ] of a number of pixels' sides, where the ray's 1 / depth is given.
+float pixelsWindowZ(float pixels, float inverseDepth)
+{
+    return pixels * capturePixelExtent *
+           (captureDepthScale.x * inverseDepth + captureDepthScale.y);
+}
+
+// Depth [windowZ] behind a visible surface that still counts as inside it. Never less than a steep
+// surface's depth grows from one pixel to the next, nor than two steps of a 24-bit depth buffer.
 float thicknessWindowZ(float inverseDepth)
 {
-    float t = thickness;
-    float perspective = t * inverseDepth * inverseDepth / (1.0 + t * inverseDepth);
-    return captureDepthScale.x * perspective + captureDepthScale.y * t + 1.2e-7;
+    float perspective = thickness * inverseDepth * inverseDepth / (1.0 + thickness * inverseDepth);
+    float given = captureDepthScale.x * perspective + captureDepthScale.y * thickness;
+    return max(given, pixelsWindowZ(STEEPEST_SLOPE, inverseDepth)) + 1.2e-7;
 }
 
 // windowZ of the surface at a place on a column's centre line: between the column's two nearest

@@ -3,7 +3,7 @@
 // A hit is where the ray reaches the surface of a pixel within that pixel's column, having been in
 // front of what the previous column showed, and no further behind than the surface's thickness.
 // Where the surface has just jumped toward the eye, as at the edge of something in front of the
-// ray, it must be reached within these two columns: else the ray passes behind.
+// ray, it must be reached within these two columns or just behind that edge: else the ray passes.
 // Background (windowZ 1) is nothing to hit.
 TraceResult searchImage(ImageRay ray)
 {
@@ -33,8 +33,10 @@ TraceResult searchImage(ImageRay ray)
         bool reached = behind + 0.5 * stepZ >= 0.0 && surfaceZ < 1.0;
         if (reached && inFront)
         {
-            thick = thicknessWindowZ(mix(ray.inverseDepth.x, ray.inverseDepth.y, s));
-            hit = behind <= (jump > thick ? stepZ : thick + 0.5 * stepZ);
+            float inverseDepth = mix(ray.inverseDepth.x, ray.inverseDepth.y, s);
+            thick = thicknessWindowZ(inverseDepth);
+            float edge = min(pixelsWindowZ(EDGE_DEPTH, inverseDepth), thick);
+            hit = behind <= (jump > thick ? edge + stepZ : thick + 0.5 * stepZ);
             sHidden = s;
             hidden = behind;
         }
