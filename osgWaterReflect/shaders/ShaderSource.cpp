@@ -24,11 +24,12 @@ public:
         std::ostringstream legend;
         for (std::size_t i = 0; i < _pieces.size(); ++i)
             legend << "// source string " << i << ": " << _pieces[i] << "\n";
-        legend << "#line 2 0\n";
+        legend << "#line 1 0\n";
         return text.insert(text.find('\n') + 1, legend.str());
     }
 
 private:
+    // Until GLSL 3.30 the line after "#line N" counts as N + 1 (its specification, 3.3).
     void include(const std::string& name, const std::string& includer, std::ostringstream& out)
     {
         const std::string piece = name == "waves" ? _waves : name;
@@ -53,9 +54,9 @@ private:
                 continue;
             }
             const std::size_t end = line.find('"', directive.size());
-            out << "#line 1 " << _pieces.size() << "\n";
+            out << "#line 0 " << _pieces.size() << "\n";
             include(line.substr(directive.size(), end - directive.size()), piece, out);
-            out << "#line " << lineNumber + 1 << " " << number << "\n";
+            out << "#line " << lineNumber << " " << number << "\n";
         }
         _open.pop_back();
     }

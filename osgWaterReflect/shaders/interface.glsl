@@ -18,12 +18,14 @@ uniform sampler2D osgwr_captureWindowZ;  // windowZ in [0, 1]; 1 where nothing w
 uniform vec2 osgwr_captureSize;          // [pixels]
 uniform mat4 osgwr_captureClipFromEye;
 uniform vec2 osgwr_captureDepthScale;    // (|C_zw|, |C_zz|) / 2; the one not in use is 0
+uniform float osgwr_capturePixelExtent;  // side of a pixel: at unit depth in perspective, else itself
 uniform vec3 osgwr_clearColour;
 #define captureColour osgwr_captureColour
 #define captureWindowZ osgwr_captureWindowZ
 #define captureSize osgwr_captureSize
 #define captureClipFromEye osgwr_captureClipFromEye
 #define captureDepthScale osgwr_captureDepthScale
+#define capturePixelExtent osgwr_capturePixelExtent
 #define clearColour osgwr_clearColour
 
 // The view.
@@ -53,13 +55,15 @@ uniform samplerCube osgwr_sky;           // looked up with a direction in world 
 
 // Trochoidal waves.
 #define MAX_WAVES 32
-uniform vec4 osgwr_waves[MAX_WAVES];     // wave vector [rad/m], amplitude [m], phase now at place (0, 0) [rad]
+uniform vec4 osgwr_waves[MAX_WAVES];     // wave vector [rad/m], amplitude over wave number [m^2], phase now at place (0, 0) [rad]
 uniform int osgwr_waveCount;
 uniform int osgwr_waveIterations;        // Newton steps to the rest place
+uniform float osgwr_waveReach;           // [m] sum of the amplitudes: no particle strays further
 uniform float osgwr_waveRise;            // [m] lifts the mean height to 0
 #define waves osgwr_waves
 #define waveCount osgwr_waveCount
 #define waveIterations osgwr_waveIterations
+#define waveReach osgwr_waveReach
 #define waveRise osgwr_waveRise
 
 // From the vertex to the fragment stage.

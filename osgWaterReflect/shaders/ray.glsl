@@ -2,7 +2,7 @@
 // straight segment in window space, and windowZ is linear along it. This line is the
 // intersection with the paper's plane Q, in closed form (docs/how-it-works.md).
 
-// How a search ends. The order is that of osgWaterReflect::TraceReason.
+// How a search ends.
 #define REASON_HIT 0
 #define REASON_SKY 1           // left through the far plane: nothing was drawn beyond
 #define REASON_LEFT 2          // left the image through its left side ...

@@ -18,11 +18,14 @@ Reflection traceReflection(vec3 originEye, vec3 dirEye)
 
     // Through a wave's crest the eye sees what lies under the water; the ray in the air does not.
     // A thousandth of its length allows for the depth buffer's rounding.
-    float rayLength = rayLengthAt(ray, result.s);
-    vec4 hitSurface = surfaceFromEye * vec4(originEye + rayLength * dirEye, 1.0);
-    float heightOverWater = side * (hitSurface.z - waveHeight(hitSurface.xy));
-    if (result.reason == REASON_HIT && heightOverWater < -0.001 * rayLength)
-        result.reason = REASON_BELOW_WATER;
+    if (result.reason == REASON_HIT)
+    {
+        float rayLength = rayLengthAt(ray, result.s);
+        vec4 hitSurface = surfaceFromEye * vec4(originEye + rayLength * dirEye, 1.0);
+        float heightOverWater = side * (hitSurface.z - waveHeight(hitSurface.xy));
+        if (heightOverWater < -0.001 * rayLength)
+            result.reason = REASON_BELOW_WATER;
+    }
 
     // A ray that ended behind something most often met its far side or what stands close behind:
     // what hides it is seen in its place. What is much nearer to the eye is no such thing.

@@ -1,36 +1,48 @@
 // A sum of trochoidal (Gerstner) waves in deep water, asked by the place where the surface is,
 // not by the place where the water particle rests [Tessendorf01 3].
 //
-// A particle resting at r is found at  p = r + D(r),  D = -sum d_i a_i sin(theta_i),
-// at the height  sum a_i cos(theta_i) + rise,  theta_i = k_i . r + phase_i.
+// A particle resting at r is found at  p = r + D(r),  D = -sum b_i k_i sin(theta_i),
+// at the height  sum a_i cos(theta_i) + rise,  theta_i = k_i . r + phase_i,  b_i = a_i / |k_i|.
 
-// The rest place of the particle found at p. D is the gradient of a potential and the steepness
-// sum is under 1, so p - D has one root; Newton's steps reach it. The error by steepness and
-// number of steps is measured in docs/waves.md.
+// What the sum does at a rest place.
+struct WaveSum
+{
+    vec2 displacement;
+    vec3 jacobian;        // xx, yy, xy of I + dD/dr
+};
+
+WaveSum sumWaves(vec2 rest)
+{
+    WaveSum sum;
+    sum.displacement = vec2(0.0);
+    sum.jacobian = vec3(1.0, 1.0, 0.0);
+    for (int i = 0; i < waveCount; ++i)
+    {
+        vec2 k = waves[i].xy;
+        float theta = dot(k, rest) + waves[i].w;
+        sum.displacement -= k * (waves[i].z * sin(theta));
+        sum.jacobian -= vec3(k * k, k.x * k.y) * (waves[i].z * cos(theta));
+    }
+    return sum;
+}
+
+// The rest place of the particle found at p. It minimises a strictly convex function, for D is
+// the gradient of a potential and the steepness sum is under 1. Newton's steps overshoot near sharp
+// crests; kept within the reach of the waves about p, where the minimum is, they do not. The error
+// by steepness and number of steps is measured in docs/waves.md.
 vec2 restPlace(vec2 p)
 {
-    vec2 rest = p;
+    vec2 offset = vec2(0.0);
     for (int step = 0; step < waveIterations; ++step)
     {
-        vec2 displacement = vec2(0.0);
-        vec3 jacobian = vec3(1.0, 1.0, 0.0); // xx, yy, xy of I + dD/dr
-        for (int i = 0; i < waveCount; ++i)
-        {
-            vec2 k = waves[i].xy;
-            float theta = dot(k, rest) + waves[i].w;
-            vec2 direction = normalize(k);
-            float a = waves[i].z;
-            displacement -= direction * (a * sin(theta));
-            float c = a * cos(theta);
-            jacobian -= c * vec3(k.x * direction.x, k.y * direction.y, k.x * direction.y);
-        }
-        vec2 residual = p - rest - displacement;
-        float determinant = jacobian.x * jacobian.y - jacobian.z * jacobian.z;
-        vec2 newton = vec2(jacobian.y * residual.x - jacobian.z * residual.y,
-                           jacobian.x * residual.y - jacobian.z * residual.x) / determinant;
-        rest += newton;
+        WaveSum sum = sumWaves(p + offset);
+        vec2 residual = -offset - sum.displacement;
+        vec3 j = sum.jacobian;
+        offset += vec2(j.y * residual.x - j.z * residual.y, j.x * residual.y - j.z * residual.x) /
+                  (j.x * j.y - j.z * j.z);
+        offset *= min(1.0, waveReach / max(length(offset), 1e-30));
     }
-    return rest;
+    return p + offset;
 }
 
 // Height above the still level [m].
@@ -39,7 +51,10 @@ float waveHeight(vec2 p)
     vec2 rest = restPlace(p);
     float height = waveRise;
     for (int i = 0; i < waveCount; ++i)
-        height += waves[i].z * cos(dot(waves[i].xy, rest) + waves[i].w);
+    {
+        vec2 k = waves[i].xy;
+        height += length(k) * waves[i].z * cos(dot(k, rest) + waves[i].w);
+    }
     return height;
 }
 
@@ -63,11 +78,9 @@ vec3 waveNormal(vec2 p, vec2 dPdx, vec2 dPdy)
     {
         vec2 k = waves[i].xy;
         float theta = dot(k, rest) + waves[i].w;
-        vec2 direction = normalize(k);
-        float a = waves[i].z * pixelAverage(k, dPdx, dPdy);
-        gradient -= k * (a * sin(theta));
-        float c = a * cos(theta);
-        jacobian -= c * vec3(k.x * direction.x, k.y * direction.y, k.x * direction.y);
+        float b = waves[i].z * pixelAverage(k, dPdx, dPdy);
+        gradient -= k * (length(k) * b * sin(theta));
+        jacobian -= vec3(k * k, k.x * k.y) * (b * cos(theta));
     }
     // slope = inverse(jacobian) * gradient; the determinant, above 0, goes into the z component.
     float determinant = jacobian.x * jacobian.y - jacobian.z * jacobian.z;

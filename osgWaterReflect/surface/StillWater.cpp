@@ -73,46 +73,62 @@ osg::ref_ptr<StillWater> StillWater::create(osg::Drawable& drawable)
 
     osg::ref_ptr<StillWater> water = new StillWater;
     water->_localFromSurface = planeFrame(glm::normalize(area), centre);
-    const glm::dmat4 surfaceFromLocal = glm::inverse(water->_localFromSurface);
+    const double offPlane = water->addTriangles(points);
+    // Single precision leaves far less than a thousandth of the size; more is a shape.
+    if (offPlane > 1e-3 * std::sqrt(glm::length(area)))
+        OSG_WARN
+            << "WaterSurface: expected a plane drawable, got one that leaves its mean plane by "
+            << offPlane << "; the water is laid in the mean plane" << std::endl;
+    water->createCalmMesh();
+    return water;
+}
+
+double StillWater::addTriangles(const std::vector<glm::dvec3>& points)
+{
+    const glm::dmat4 surfaceFromLocal = glm::inverse(_localFromSurface);
+    double offPlane = 0.0;
 
     // Corners that coincide become one, so that neighbours split a common edge at one place.
     std::map<std::tuple<double, double, double>, unsigned int> indexOf;
-    double offPlane = 0.0;
-    for (const glm::dvec3& point : points)
+    for (std::size_t i = 0; i < points.size(); ++i)
     {
+        const glm::dvec3& point = points[i];
         const auto added = indexOf.emplace(std::make_tuple(point.x, point.y, point.z),
                                            static_cast<unsigned int>(indexOf.size()));
         if (added.second)
         {
             const glm::dvec3 surface = surfaceFromLocal * glm::dvec4(point, 1.0);
-            water->_corners.push_back(glm::dvec2(surface));
+            const glm::dvec3 inPlane = _localFromSurface * glm::dvec4(surface.x, surface.y, 0, 1);
+            _corners.push_back(glm::dvec2(surface));
+            _stillBound.expandBy(toOsg(inPlane));
             offPlane = std::max(offPlane, std::abs(surface.z));
         }
-        water->_triangles.push_back(added.first->second);
-    }
-    // Single precision leaves far less than a thousandth of the size; more is a shape.
-    if (offPlane > 1e-3 * std::sqrt(glm::length(area)))
-        OSG_WARN << "WaterSurface: expected a plane drawable, got one that leaves its mean plane by "
-                 << offPlane << "; the water is laid in the mean plane" << std::endl;
+        _triangles.push_back(added.first->second);
 
-    for (const glm::dvec2& corner : water->_corners)
-        water->_calmAnchor += corner / static_cast<double>(water->_corners.size());
-    water->_calmMesh = createSurfaceGeometry();
-    auto* vertices = static_cast<osg::Vec3Array*>(water->_calmMesh->getVertexArray());
-    auto* indices = static_cast<osg::DrawElementsUInt*>(water->_calmMesh->getPrimitiveSet(0));
-    for (const glm::dvec2& corner : water->_corners)
-        vertices->push_back(
-            osg::Vec3(corner.x - water->_calmAnchor.x, corner.y - water->_calmAnchor.y, 0.0f));
-    indices->assign(water->_triangles.begin(), water->_triangles.end());
-    return water;
+        // A triangle with a corner twice has no inside, and would count as a neighbour.
+        if (i % 3 != 2) continue;
+        const std::size_t last = _triangles.size() - 1;
+        const unsigned int* corner = &_triangles[last - 2];
+        if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0])
+            _triangles.resize(last - 2);
+    }
+    return offPlane;
+}
+
+void StillWater::createCalmMesh()
+{
+    for (const glm::dvec2& corner : _corners)
+        _calmAnchor += corner / static_cast<double>(_corners.size());
+    _calmMesh = createSurfaceGeometry();
+    auto* vertices = static_cast<osg::Vec3Array*>(_calmMesh->getVertexArray());
+    auto* indices = static_cast<osg::DrawElementsUInt*>(_calmMesh->getPrimitiveSet(0));
+    for (const glm::dvec2& corner : _corners)
+        vertices->push_back(osg::Vec3(corner.x - _calmAnchor.x, corner.y - _calmAnchor.y, 0.0f));
+    indices->assign(_triangles.begin(), _triangles.end());
 }
 
 osg::BoundingBox StillWater::localBound(double amplitude) const
 {
-    osg::BoundingBox bound;
-    for (const glm::dvec2& corner : _corners)
-        for (double height : {-amplitude, amplitude})
-            bound.expandBy(
-                toOsg(glm::dvec3(_localFromSurface * glm::dvec4(corner, height, 1.0))));
-    return bound;
+    const osg::Vec3 margin(toOsg(amplitude * glm::abs(glm::dvec3(_localFromSurface[2]))));
+    return osg::BoundingBox(_stillBound._min - margin, _stillBound._max + margin);
 }

@@ -42,7 +42,12 @@ public:
 private:
     StillWater() = default;
 
+    /// Three local points a triangle. Returns how far they leave the plane [local units].
+    double addTriangles(const std::vector<glm::dvec3>& points);
+    void createCalmMesh();
+
     glm::dmat4 _localFromSurface{1.0};
+    osg::BoundingBox _stillBound; // local
     std::vector<glm::dvec2> _corners;
     std::vector<unsigned int> _triangles;
     glm::dvec2 _calmAnchor{0.0};

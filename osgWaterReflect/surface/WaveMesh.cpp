@@ -3,7 +3,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include <unordered_map>
+#include <cstdint>
+#include <limits>
 
 using namespace osgWaterReflect;
 
@@ -14,7 +15,7 @@ struct Corner
 {
     glm::dvec2 place; // surface space
     glm::dvec3 eye;
-    glm::dvec4 clip;
+    unsigned int outside; // a bit for each side of the view that no wave brings it back over
 };
 
 struct Triangle
@@ -22,21 +23,88 @@ struct Triangle
     unsigned int corner[3];
 };
 
-// Divides one sheet for one view and one length of edges on screen.
+// The corner in the middle of each edge that was halved: a flat table with open addressing, for
+// it is asked twice for every corner of the mesh.
+class EdgeMiddles
+{
+public:
+    static constexpr unsigned int NONE = std::numeric_limits<unsigned int>::max();
+
+    EdgeMiddles() : _slots(4096) {}
+
+    // The middle of an edge from a to b, a < b, to be set where it is still NONE.
+    unsigned int& at(unsigned int a, unsigned int b)
+    {
+        if (2 * (_used + 1) > _slots.size()) grow();
+        Slot& slot = find(static_cast<std::uint64_t>(a) << 32 | b);
+        _used += slot.middle == NONE;
+        return slot.middle;
+    }
+
+private:
+    struct Slot
+    {
+        std::uint64_t edge = 0;
+        unsigned int middle = NONE;
+    };
+
+    Slot& find(std::uint64_t edge)
+    {
+        // Fibonacci hashing: the multiplier is 2^64 over the golden ratio.
+        const std::size_t mask = _slots.size() - 1;
+        std::size_t i = (edge * 0x9E3779B97F4A7C15u) >> 32 & mask;
+        while (_slots[i].middle != NONE && _slots[i].edge != edge)
+            i = (i + 1) & mask;
+        _slots[i].edge = edge;
+        return _slots[i];
+    }
+
+    void grow()
+    {
+        std::vector<Slot> old(2 * _slots.size());
+        old.swap(_slots);
+        for (const Slot& slot : old)
+            if (slot.middle != NONE) find(slot.edge).middle = slot.middle;
+    }
+
+    std::vector<Slot> _slots; // a power of two, at most half of them used
+    std::size_t _used = 0;
+};
+
+// Divides one sheet for one view. A coarsening multiplies every length that an edge may have.
 class Division
 {
 public:
-    Division(const StillWater& water, const SheetView& view, double maxEdgePixels) :
-        _view(view), _clipFromSurface(view.clipFromEye * view.eyeFromSurface),
+    Division(const StillWater& water, const SheetView& view, double maxEdgePixels,
+             double coarsening) :
+        _eyeFromSurface(view.eyeFromSurface),
+        _clipFromSurface(view.clipFromEye * view.eyeFromSurface),
         _clipAmplitude(view.amplitude * _clipFromSurface[2])
     {
-        const double pixelsPerUnit = 0.5 * std::max(view.viewportWidth * view.clipFromEye[0][0],
-                                                    view.viewportHeight * view.clipFromEye[1][1]);
-        _orthographic = view.clipFromEye[2][3] == 0.0;
-        _lengthPerDepth = maxEdgePixels / pixelsPerUnit;
-        _shortestEdge = view.shortestEdge * glm::length(glm::dvec3(view.eyeFromSurface[0]));
+        // Clip w grows with the distance along the view by this; it does not in an orthographic
+        // view.
+        const double depthScale = std::abs(view.clipFromEye[2][3]);
+        _orthographic = depthScale == 0.0;
+        const double pixelsPerUnit =
+            0.5 *
+            std::max(view.viewportWidth * std::abs(view.clipFromEye[0][0]),
+                     view.viewportHeight * std::abs(view.clipFromEye[1][1])) /
+            (_orthographic ? std::abs(view.clipFromEye[3][3]) : depthScale);
+        _lengthPerDepth = coarsening * maxEdgePixels / pixelsPerUnit;
+
+        glm::dvec2 lowest(std::numeric_limits<double>::infinity());
+        glm::dvec2 highest = -lowest;
         for (const glm::dvec2& place : water.corners())
+        {
             addCorner(place);
+            lowest = glm::min(lowest, place);
+            highest = glm::max(highest, place);
+        }
+        // Where a wave model knows no shortest wave, an edge at the eye could be halved for ever.
+        const double floor = glm::distance(lowest, highest) * SHORTEST_PART;
+        _shortestEdge = coarsening * std::max(view.shortestEdge, floor) *
+                        glm::length(glm::dvec3(view.eyeFromSurface[0]));
+
         const std::vector<unsigned int>& indices = water.triangles();
         for (std::size_t i = 0; i < indices.size(); i += 3)
             _open.push_back({{indices[i], indices[i + 1], indices[i + 2]}});
@@ -61,33 +129,40 @@ public:
     std::vector<Triangle> done;
 
 private:
+    // [1] of the sheet's size; single precision about the anchor tells no nearer places apart
+    // than a 2^24th.
+    static constexpr double SHORTEST_PART = 1.0 / (1 << 30);
+
     unsigned int addCorner(const glm::dvec2& place)
     {
-        const glm::dvec4 surface(place, 0.0, 1.0);
-        corners.push_back({place, glm::dvec3(_view.eyeFromSurface * surface),
-                           _clipFromSurface * surface});
+        const glm::dvec4 clip =
+            place.x * _clipFromSurface[0] + place.y * _clipFromSurface[1] + _clipFromSurface[3];
+        unsigned int outside = 0;
+        for (int axis = 0; axis < 2; ++axis)
+            for (double sign : {-1.0, 1.0})
+            {
+                const double reach = std::abs(_clipAmplitude.w + sign * _clipAmplitude[axis]);
+                outside = outside << 1 | (clip.w + sign * clip[axis] + reach < 0.0);
+            }
+        // Behind the eye.
+        outside = outside << 1 | (clip.w + std::abs(_clipAmplitude.w) < 0.0);
+
+        corners.push_back({place,
+                           glm::dvec3(place.x * _eyeFromSurface[0] + place.y * _eyeFromSurface[1] +
+                                      _eyeFromSurface[3]),
+                           outside});
         return static_cast<unsigned int>(corners.size() - 1);
     }
 
     // Whether the triangle, moved by waves, lies wholly beyond a side of the view's frustum.
     bool outsideView(const Triangle& triangle) const
     {
-        for (int axis = 0; axis < 2; ++axis)
-            for (double sign : {-1.0, 1.0})
-            {
-                const double reach =
-                    std::abs(_clipAmplitude.w + sign * _clipAmplitude[axis]);
-                bool outside = true;
-                for (unsigned int corner : triangle.corner)
-                {
-                    const glm::dvec4& clip = corners[corner].clip;
-                    outside = outside && clip.w + sign * clip[axis] + reach < 0.0;
-                }
-                if (outside) return true;
-            }
-        return false;
+        return corners[triangle.corner[0]].outside & corners[triangle.corner[1]].outside &
+               corners[triangle.corner[2]].outside;
     }
 
+    // Of an edge from a to b, a < b: both its triangles must come to the same answer, to the last
+    // bit.
     bool tooLong(unsigned int a, unsigned int b) const
     {
         const glm::dvec3& p = corners[a].eye;
@@ -95,19 +170,24 @@ private:
         const double squaredLength = glm::dot(edge, edge);
         if (squaredLength <= _shortestEdge * _shortestEdge) return false;
         if (_orthographic) return squaredLength > _lengthPerDepth * _lengthPerDepth;
-        const double s = glm::clamp(-glm::dot(p, edge) / squaredLength, 0.0, 1.0);
-        const glm::dvec3 nearest = p + s * edge;
-        return squaredLength > _lengthPerDepth * _lengthPerDepth * glm::dot(nearest, nearest);
+
+        // The edge's nearest point is one of its ends, or the foot of the eye between them, whose
+        // squared distance is p p - along^2 / squaredLength.
+        const double along = -glm::dot(p, edge);
+        const double squaredRatio = _lengthPerDepth * _lengthPerDepth;
+        if (along <= 0.0) return squaredLength > squaredRatio * glm::dot(p, p);
+        if (along >= squaredLength)
+            return squaredLength > squaredRatio * glm::dot(corners[b].eye, corners[b].eye);
+        return squaredLength * squaredLength >
+               squaredRatio * (glm::dot(p, p) * squaredLength - along * along);
     }
 
     unsigned int middle(unsigned int a, unsigned int b)
     {
-        const std::uint64_t low = std::min(a, b);
-        const std::uint64_t high = std::max(a, b);
-        const auto found = _middles.emplace(low << 32 | high, 0u);
-        if (found.second)
-            found.first->second = addCorner(0.5 * (corners[a].place + corners[b].place));
-        return found.first->second;
+        unsigned int& middle = _middles.at(std::min(a, b), std::max(a, b));
+        if (middle == EdgeMiddles::NONE)
+            middle = addCorner(0.5 * (corners[a].place + corners[b].place));
+        return middle;
     }
 
     void divide(const Triangle& triangle)
@@ -116,7 +196,9 @@ private:
         int splits = 0;
         for (int i = 0; i < 3; ++i)
         {
-            split[i] = tooLong(triangle.corner[i], triangle.corner[(i + 1) % 3]);
+            const unsigned int a = triangle.corner[i];
+            const unsigned int b = triangle.corner[(i + 1) % 3];
+            split[i] = tooLong(std::min(a, b), std::max(a, b));
             splits += split[i];
         }
         if (splits == 0)
@@ -149,14 +231,14 @@ private:
         _open.insert(_open.end(), {{{a, ab, ca}}, {{ca, bc, c}}, {{ab, bc, ca}}});
     }
 
-    SheetView _view;
+    glm::dmat4 _eyeFromSurface;
     glm::dmat4 _clipFromSurface;
     glm::dvec4 _clipAmplitude;
     bool _orthographic = false;
     double _lengthPerDepth = 0.0;
     double _shortestEdge = 0.0; // [eye units]
     std::vector<Triangle> _open;
-    std::unordered_map<std::uint64_t, unsigned int> _middles;
+    EdgeMiddles _middles;
 };
 
 } // namespace
@@ -177,16 +259,23 @@ void WaveMesh::update(const StillWater& water, const SheetView& view, const Surf
     _view = view;
     _detail = detail;
 
-    // Coarser by steps until it fits; finer again, by one step a frame, once there is room.
+    // Coarser by steps until it fits; finer again once half the corners would do. A step changes
+    // their number by its square, so that the two do not chase each other.
     const double step = 1.25;
-    Division division(water, view, detail.maxEdgePixels * _coarsening);
+    Division division(water, view, detail.maxEdgePixels, _coarsening);
     while (!division.run(detail.maxVertices))
     {
         _coarsening *= step;
-        division = Division(water, view, detail.maxEdgePixels * _coarsening);
+        division = Division(water, view, detail.maxEdgePixels, _coarsening);
     }
-    if (_coarsening > 1.0 && division.corners.size() < detail.maxVertices / (2.0 * step))
-        _coarsening = std::max(1.0, _coarsening / step);
+    while (_coarsening > 1.0 && 2 * division.corners.size() < detail.maxVertices)
+    {
+        const double finer = std::max(1.0, _coarsening / step);
+        Division finerDivision(water, view, detail.maxEdgePixels, finer);
+        if (!finerDivision.run(detail.maxVertices)) break;
+        _coarsening = finer;
+        division = std::move(finerDivision);
+    }
 
     const glm::dvec4 eyeSurface = glm::inverse(view.eyeFromSurface) * glm::dvec4(0, 0, 0, 1);
     _anchor = glm::dvec2(eyeSurface);
@@ -195,6 +284,8 @@ void WaveMesh::update(const StillWater& water, const SheetView& view, const Surf
     auto* indices = static_cast<osg::DrawElementsUInt*>(_geometry->getPrimitiveSet(0));
     vertices->clear();
     indices->clear();
+    vertices->reserve(division.corners.size());
+    indices->reserve(3 * division.done.size());
     for (const Corner& corner : division.corners)
         vertices->push_back(
             osg::Vec3(corner.place.x - _anchor.x, corner.place.y - _anchor.y, 0.0f));

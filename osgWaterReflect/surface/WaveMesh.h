@@ -42,7 +42,7 @@ public:
     /// Foot of the eye on the still plane when the mesh was last divided [surface units].
     const glm::dvec2& anchor() const { return _anchor; }
 
-    /// What maxEdgePixels was multiplied with to keep to maxVertices, >= 1.
+    /// What the length of edges was multiplied with to keep to maxVertices, >= 1.
     double coarsening() const { return _coarsening; }
 
 private:

@@ -17,6 +17,7 @@ constexpr const char* CAPTURE_WINDOW_Z = "osgwr_captureWindowZ";
 constexpr const char* CAPTURE_SIZE = "osgwr_captureSize";
 constexpr const char* CAPTURE_CLIP_FROM_EYE = "osgwr_captureClipFromEye";
 constexpr const char* CAPTURE_DEPTH_SCALE = "osgwr_captureDepthScale";
+constexpr const char* CAPTURE_PIXEL_EXTENT = "osgwr_capturePixelExtent";
 constexpr const char* CLEAR_COLOUR = "osgwr_clearColour";
 
 constexpr const char* EYE_POINT_EYE = "osgwr_eyePointEye";
@@ -34,6 +35,7 @@ constexpr const char* SKY = "osgwr_sky";
 constexpr const char* WAVES = "osgwr_waves";
 constexpr const char* WAVE_COUNT = "osgwr_waveCount";
 constexpr const char* WAVE_ITERATIONS = "osgwr_waveIterations";
+constexpr const char* WAVE_REACH = "osgwr_waveReach";
 constexpr const char* WAVE_RISE = "osgwr_waveRise";
 
 constexpr unsigned int UNIT_CAPTURE_COLOUR = 0;

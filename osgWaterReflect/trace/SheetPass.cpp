@@ -27,12 +27,17 @@ const unsigned int OFF = osg::StateAttribute::OFF | osg::StateAttribute::PROTECT
 // Waves need no mesh finer than this part of the shortest.
 const double EDGES_PER_WAVE = 8.0;
 
+// From surface space about the mesh's anchor.
+glm::dmat4 eyeFromAnchor(const SheetView& view, const glm::dvec2& anchor)
+{
+    return glm::translate(view.eyeFromSurface, glm::dvec3(anchor, 0.0));
+}
+
 } // namespace
 
 SheetPass::SheetPass() : _stateSet(new osg::StateSet)
 {
-    _stateSet->setRenderBinDetails(WATER_BIN, "RenderBin",
-                                   osg::StateSet::USE_RENDERBIN_DETAILS);
+    _stateSet->setRenderBinDetails(WATER_BIN, "RenderBin", osg::StateSet::USE_RENDERBIN_DETAILS);
     _stateSet->setNestRenderBins(false);
     _stateSet->setMode(GL_BLEND, OFF);
     _stateSet->setMode(GL_CULL_FACE, OFF);
@@ -50,9 +55,9 @@ void SheetPass::setCapture(const Capture& capture)
 {
     _stateSet->setTextureAttribute(bindings::UNIT_CAPTURE_COLOUR, capture.colour(), ON);
     _stateSet->setTextureAttribute(bindings::UNIT_CAPTURE_WINDOW_Z, capture.windowZ(), ON);
-    bindings::set(*_stateSet, bindings::CAPTURE_SIZE,
-                  osg::Vec2(capture.colour()->getTextureWidth(),
-                            capture.colour()->getTextureHeight()));
+    bindings::set(
+        *_stateSet, bindings::CAPTURE_SIZE,
+        osg::Vec2(capture.colour()->getTextureWidth(), capture.colour()->getTextureHeight()));
 
     const glm::dmat4& clipFromEye = capture.clipFromEye();
     const bool orthographic = eyePointOf(clipFromEye).w == 0.0;
@@ -61,6 +66,9 @@ void SheetPass::setCapture(const Capture& capture)
     bindings::set(*_stateSet, bindings::CAPTURE_CLIP_FROM_EYE, toOsgFloat(clipFromEye));
     bindings::set(*_stateSet, bindings::CAPTURE_DEPTH_SCALE,
                   osg::Vec2(perspectiveScale, orthographicScale));
+    bindings::set(
+        *_stateSet, bindings::CAPTURE_PIXEL_EXTENT,
+        static_cast<float>(2.0 / (clipFromEye[0][0] * capture.colour()->getTextureWidth())));
 
     const osg::Vec4& clear = capture.clearColour();
     bindings::set(*_stateSet, bindings::CLEAR_COLOUR, osg::Vec3(clear.r(), clear.g(), clear.b()));
@@ -68,13 +76,7 @@ void SheetPass::setCapture(const Capture& capture)
 
 void SheetPass::setWater(const WaterSurface& water)
 {
-    const WaveModel* waves = water.getWaves();
-    const std::string wavesShader = waves ? waves->getShaderName() : CALM_SHADER;
-    if (wavesShader != _wavesShader)
-    {
-        _stateSet->setAttributeAndModes(waterProgram(wavesShader), ON);
-        _wavesShader = wavesShader;
-    }
+    _stateSet->setAttributeAndModes(waterProgram(water.getWaves()), ON);
 
     osg::TextureCubeMap* sky = const_cast<osg::TextureCubeMap*>(water.getSky());
     setVariant(*_stateSet, water.getReflection().search,
@@ -92,57 +94,65 @@ void SheetPass::setWater(const WaterSurface& water)
     bindings::set(*_stateSet, bindings::WATER_COLOUR, water.getOptics().waterColour);
 }
 
+SheetPass::Mesh SheetPass::prepareMesh(const WaterSurface& water, const StillWater& sheet,
+                                       const SheetView& view, double time)
+{
+    const WaveModel* waves = water.getWaves();
+    if (!waves) return {sheet.calmMesh(), sheet.calmAnchor()};
+
+    if (!_waveMesh) _waveMesh = new WaveMesh;
+    _waveMesh->update(sheet, view, water.getDetail());
+    const glm::dvec2& anchor = _waveMesh->anchor();
+    waves->apply(*_stateSet, osg::Vec2d(anchor.x, anchor.y), time);
+    return {_waveMesh->geometry(), anchor};
+}
+
+void SheetPass::setView(const SheetView& view, const glm::dmat4& eyeFromWorld,
+                        const glm::dvec2& anchor, const WaveModel* waves, double time)
+{
+    const glm::dvec4 eyePointEye = eyePointOf(view.clipFromEye);
+    const glm::dvec4 eyePoint = glm::inverse(view.eyeFromSurface) * eyePointEye;
+    double heightOfEye = eyePoint.z;
+    if (waves && eyePoint.w != 0.0)
+        heightOfEye -= waves->getHeight(osg::Vec2d(eyePoint.x, eyePoint.y), time);
+
+    bindings::set(*_stateSet, bindings::EYE_POINT_EYE,
+                  osg::Vec4(eyePointEye.x, eyePointEye.y, eyePointEye.z, eyePointEye.w));
+    bindings::set(*_stateSet, bindings::WORLD_FROM_EYE,
+                  toOsgFloat(glm::dmat3(glm::inverse(eyeFromWorld))));
+    bindings::set(*_stateSet, bindings::NORMAL_EYE_FROM_SURFACE,
+                  toOsgFloat(normalMatrix(view.eyeFromSurface)));
+    bindings::set(*_stateSet, bindings::SURFACE_FROM_EYE,
+                  toOsgFloat(glm::inverse(eyeFromAnchor(view, anchor))));
+    bindings::set(*_stateSet, bindings::SIDE, heightOfEye < 0.0 ? -1.0f : 1.0f);
+}
+
 void SheetPass::draw(osgUtil::CullVisitor& view, const Capture& capture, const WaterSurface& water,
                      const StillWater& sheet)
 {
-    setCapture(capture);
-    setWater(water);
-
-    const glm::dmat4 eyeFromLocal = fromOsg(*view.getModelViewMatrix());
-    const glm::dmat4 eyeFromSurface = eyeFromLocal * sheet.localFromSurface();
-    const glm::dmat4 clipFromEye = fromOsg(*view.getProjectionMatrix());
-    const glm::dvec4 eyePointEye = eyePointOf(clipFromEye);
+    const WaveModel* waves = water.getWaves();
+    const double amplitude = waves ? waves->getAmplitude() : 0.0;
     const double time = view.getFrameStamp() ? view.getFrameStamp()->getSimulationTime() : 0.0;
 
-    osg::Geometry* mesh = sheet.calmMesh();
-    glm::dvec2 anchor = sheet.calmAnchor();
-    double waterHeight = 0.0; // at the eye
-    const glm::dvec4 eyeSurface = glm::inverse(eyeFromSurface) * eyePointEye;
-    if (const WaveModel* waves = water.getWaves())
-    {
-        SheetView sheetView;
-        sheetView.eyeFromSurface = eyeFromSurface;
-        sheetView.clipFromEye = clipFromEye;
-        sheetView.viewportWidth = view.getViewport()->width();
-        sheetView.viewportHeight = view.getViewport()->height();
-        sheetView.amplitude = waves->getAmplitude();
-        sheetView.shortestEdge = waves->getShortestLength() / EDGES_PER_WAVE;
-        if (!_waveMesh) _waveMesh = new WaveMesh;
-        _waveMesh->update(sheet, sheetView, water.getDetail());
-        mesh = _waveMesh->geometry();
-        anchor = _waveMesh->anchor();
-        waves->apply(*_stateSet, osg::Vec2d(anchor.x, anchor.y), time);
-        if (eyeSurface.w != 0.0)
-            waterHeight = waves->getHeight(osg::Vec2d(eyeSurface.x, eyeSurface.y), time);
-    }
+    SheetView sheetView;
+    sheetView.eyeFromSurface = fromOsg(*view.getModelViewMatrix()) * sheet.localFromSurface();
+    sheetView.clipFromEye = fromOsg(*view.getProjectionMatrix());
+    sheetView.viewportWidth = view.getViewport()->width();
+    sheetView.viewportHeight = view.getViewport()->height();
+    sheetView.amplitude = amplitude;
+    sheetView.shortestEdge = waves ? waves->getShortestLength() / EDGES_PER_WAVE : 0.0;
 
-    const glm::dmat4 eyeFromAnchor = glm::translate(eyeFromSurface, glm::dvec3(anchor, 0.0));
-    const glm::dmat4 worldFromEye =
-        glm::inverse(fromOsg(*view.getCurrentRenderStage()->getInitialViewMatrix()));
-    const double heightOfEye = eyeSurface.z - eyeSurface.w * waterHeight;
-    bindings::set(*_stateSet, bindings::EYE_POINT_EYE,
-                  osg::Vec4(eyePointEye.x, eyePointEye.y, eyePointEye.z, eyePointEye.w));
-    bindings::set(*_stateSet, bindings::WORLD_FROM_EYE, toOsgFloat(glm::dmat3(worldFromEye)));
-    bindings::set(*_stateSet, bindings::NORMAL_EYE_FROM_SURFACE,
-                  toOsgFloat(normalMatrix(eyeFromSurface)));
-    bindings::set(*_stateSet, bindings::SURFACE_FROM_EYE, toOsgFloat(glm::inverse(eyeFromAnchor)));
-    bindings::set(*_stateSet, bindings::SIDE, heightOfEye < 0.0 ? -1.0f : 1.0f);
+    const Mesh mesh = prepareMesh(water, sheet, sheetView, time);
+    setCapture(capture);
+    setWater(water);
+    setView(sheetView, fromOsg(*view.getCurrentRenderStage()->getInitialViewMatrix()), mesh.anchor,
+            waves, time);
 
-    const osg::BoundingBox bound =
-        sheet.localBound(water.getWaves() ? water.getWaves()->getAmplitude() : 0.0);
+    const osg::BoundingBox bound = sheet.localBound(amplitude);
     view.updateCalculatedNearFar(*view.getModelViewMatrix(), bound);
     view.pushStateSet(_stateSet.get());
-    view.addDrawableAndDepth(mesh, new osg::RefMatrix(toOsg(eyeFromAnchor)),
+    view.addDrawableAndDepth(mesh.geometry,
+                             new osg::RefMatrix(toOsg(eyeFromAnchor(sheetView, mesh.anchor))),
                              view.getDistanceFromEyePoint(bound.center(), true));
     view.popStateSet();
 }

@@ -29,12 +29,24 @@ public:
     void resizeGLObjectBuffers(unsigned int maxSize);
 
 private:
+    struct Mesh
+    {
+        osg::Geometry* geometry;
+        glm::dvec2 anchor; ///< in surface space
+    };
+
+    /// The sheet's triangles as they are when calm, else divided for the view; sets the waves'
+    /// uniforms for the mesh's anchor.
+    Mesh prepareMesh(const WaterSurface& water, const StillWater& sheet, const SheetView& view,
+                     double time);
+
     void setCapture(const Capture& capture);
     void setWater(const WaterSurface& water);
+    void setView(const SheetView& view, const glm::dmat4& eyeFromWorld, const glm::dvec2& anchor,
+                 const WaveModel* waves, double time);
 
     osg::ref_ptr<osg::StateSet> _stateSet;
     osg::ref_ptr<WaveMesh> _waveMesh; // null until waves ask for it
-    std::string _wavesShader;
 };
 
 } // namespace osgWaterReflect

@@ -9,11 +9,12 @@
 
 using namespace osgWaterReflect;
 
-osg::ref_ptr<osg::Program> osgWaterReflect::waterProgram(const std::string& wavesShader)
+osg::ref_ptr<osg::Program> osgWaterReflect::waterProgram(const WaveModel* waves)
 {
     static std::mutex mutex;
     static std::map<std::string, osg::observer_ptr<osg::Program>> programs;
 
+    const std::string wavesShader = waves ? waves->getShaderName() : "waves_calm.glsl";
     const std::lock_guard<std::mutex> lock(mutex);
     osg::ref_ptr<osg::Program> program;
     if (programs[wavesShader].lock(program)) return program;

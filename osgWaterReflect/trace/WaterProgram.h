@@ -12,9 +12,6 @@
 namespace osgWaterReflect
 {
 
-/// The wave piece of water that has no wave model.
-constexpr const char* CALM_SHADER = "waves_calm.glsl";
-
 /// Where a ray that meets nothing looks for the sky: the values of OSGWR_SKY.
 enum class SkySource
 {
@@ -22,8 +19,9 @@ enum class SkySource
     CUBE_MAP
 };
 
-/// The program of all water with the same wave piece. It exists as long as somebody holds it.
-osg::ref_ptr<osg::Program> waterProgram(const std::string& wavesShader);
+/// The program of all water whose waves have the same GLSL piece; null stands for calm water. It
+/// exists as long as somebody holds it.
+osg::ref_ptr<osg::Program> waterProgram(const WaveModel* waves);
 
 /// Chooses a variant of the program: one value for each axis.
 void setVariant(osg::StateSet& stateSet, Search search, SkySource sky,
