@@ -3,8 +3,8 @@
 
 #include <osg/Matrixd>
 #include <osg/Matrixf>
-#include <osg/Vec2d>
 #include <osg/Uniform>
+#include <osg/Vec2d>
 #include <osg/Vec3d>
 
 #include <glm/gtc/type_ptr.hpp>

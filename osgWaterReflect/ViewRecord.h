@@ -7,15 +7,17 @@
 #include <osg/observer_ptr>
 
 #include <list>
+#include <mutex>
 
 namespace osgWaterReflect
 {
 
-/// All that is held for the water of one view: a capture for each of its cameras, a pass for each
-/// sheet of water.
+/// All that is held for the water of one view: a capture for each of its cameras, and with it a
+/// pass for each sheet of water that the camera sees.
 ///
-/// It is attached to the view's CullVisitor: it lives as long, and no other thread uses it. (A view
-/// that draws one frame while it culls the next has two, and so has each eye in stereo.)
+/// It is attached to the view's CullVisitor and lives as long. (A view that draws one frame while
+/// it culls the next has two, and so has each eye in stereo.) Only that visitor's thread draws;
+/// any thread may release.
 class ViewRecord : public osg::Object
 {
 public:
@@ -28,36 +30,46 @@ public:
     static ViewRecord& of(osgUtil::CullVisitor& view);
 
     /// Draws one sheet of the water that the view has come to in its traversal.
-    void draw(const WaterSurface& water, const StillWater& sheet);
+    void draw(osgUtil::CullVisitor& view, const WaterSurface& water, const StillWater& sheet);
+
+    /// To be called for each water that is released: releases what is held for a camera with the
+    /// last of its waters, for they share captures and programs.
+    void release(const WaterSurface& water, osg::State* state);
 
     void releaseGLObjects(osg::State* state) const override;
     void resizeGLObjectBuffers(unsigned int maxSize) override;
+
+    /// What is held now, for those who look for leaks.
+    std::size_t numCaptures() const;
+    std::size_t numPasses() const;
 
 protected:
     ~ViewRecord() override = default;
 
 private:
-    struct CameraCapture
-    {
-        osg::observer_ptr<osg::Camera> camera;
-        osg::ref_ptr<Capture> capture;
-    };
-
     struct DrawnSheet
     {
         osg::observer_ptr<const WaterSurface> water;
         osg::observer_ptr<const StillWater> sheet;
-        const Capture* capture = nullptr; // identity only
-        unsigned int serial = 0;          // of the capture when it was drawn last
+        unsigned int serial = 0; // of the capture when it was drawn last
+        bool released = false;   // since then
         osg::ref_ptr<SheetPass> pass;
     };
 
-    Capture& captureFor(osg::Camera& camera);
-    SheetPass& passFor(const WaterSurface& water, const StillWater& sheet, const Capture& capture);
+    struct CameraCapture
+    {
+        osg::observer_ptr<osg::Camera> camera;
+        osg::ref_ptr<Capture> capture;
+        std::list<DrawnSheet> sheets;
+    };
 
-    osgUtil::CullVisitor* _view = nullptr;
+    static void releaseGLObjects(const CameraCapture& entry, osg::State* state);
+    CameraCapture& captureFor(osg::Camera& camera);
+    SheetPass& passFor(CameraCapture& entry, const WaterSurface& water, const StillWater& sheet);
+
+    osg::observer_ptr<osgUtil::CullVisitor> _view;
+    mutable std::mutex _mutex; // of the list and its entries' lists
     std::list<CameraCapture> _captures;
-    std::list<DrawnSheet> _sheets;
 };
 
 } // namespace osgWaterReflect

@@ -8,6 +8,8 @@
 #include <osg/io_utils>
 #include <osgUtil/Tessellator>
 
+#include <algorithm>
+
 using namespace osgWaterReflect;
 
 namespace
@@ -17,6 +19,9 @@ bool isFinite(const osg::Vec3& v)
 {
     return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
 }
+
+// [1] Of the squared size: an area below this is rounding of corners in single precision.
+const double NO_AREA = 1e-7;
 
 // Twice the area that an outline encloses, along its normal [Newell].
 osg::Vec3d areaVector(const WaterSurface::Outline& outline)
@@ -34,8 +39,12 @@ bool checkOutline(const WaterSurface::Outline& outline)
     if (outline.size() < 3) return refuse(member, "at least 3 corners", outline.size());
     for (const osg::Vec3& corner : outline)
         if (!isFinite(corner)) return refuse(member, "finite corners", corner);
+    double squaredSize = 0.0;
+    for (const osg::Vec3& corner : outline)
+        squaredSize =
+            std::max(squaredSize, (osg::Vec3d(corner) - osg::Vec3d(outline.front())).length2());
     const double area = 0.5 * areaVector(outline).length();
-    return area > 0.0 || refuse(member, "an outline with an area", area);
+    return area > NO_AREA * squaredSize || refuse(member, "an outline with an area", area);
 }
 
 osg::ref_ptr<osg::Geometry> createGeometry(osg::Vec3Array* vertices)
@@ -51,7 +60,8 @@ WaterSurface::WaterSurface() = default;
 
 WaterSurface::WaterSurface(const WaterSurface& rhs, const osg::CopyOp& copyop) :
     osg::Geode(rhs, copyop), _reflection(rhs._reflection), _optics(rhs._optics),
-    _detail(rhs._detail), _waves(rhs._waves),
+    _detail(rhs._detail),
+    _waves(static_cast<WaveModel*>(copyop(static_cast<osg::Object*>(rhs._waves.get())))),
     _sky(static_cast<osg::TextureCubeMap*>(copyop(rhs._sky.get()))), _debugView(rhs._debugView)
 {
 }
@@ -68,8 +78,10 @@ WaterSurface* WaterSurface::createRectangle(const osg::Vec3& centre, const osg::
             refuse(member, "finite vectors", v);
             return nullptr;
         }
-    const double area = (lengthVec ^ widthVec).length();
-    if (!(area > 0.0))
+    const osg::Vec3d length(lengthVec);
+    const osg::Vec3d width(widthVec);
+    const double area = (length ^ width).length();
+    if (!(area > NO_AREA * length.length() * width.length()))
     {
         refuse(member, "sides that span an area", area);
         return nullptr;
@@ -189,16 +201,52 @@ void WaterSurface::traverse(osg::NodeVisitor& visitor)
     getBound(); // the sheets are as of the last bound
     const double amplitude = _waves ? _waves->getAmplitude() : 0.0;
     for (const osg::ref_ptr<StillWater>& sheet : _stillWaters)
-        if (!view->isCulled(sheet->localBound(amplitude)))
-            ViewRecord::of(*view).draw(*this, *sheet);
+    {
+        if (view->isCulled(sheet->localBound(amplitude))) continue;
+        ViewRecord& record = ViewRecord::of(*view);
+        remember(record);
+        record.draw(*view, *this, *sheet);
+    }
+}
+
+void WaterSurface::remember(ViewRecord& record)
+{
+    const std::lock_guard<std::mutex> lock(_viewRecordsMutex);
+    _viewRecords.erase(std::remove_if(_viewRecords.begin(), _viewRecords.end(),
+                                      [](const auto& observed) { return !observed.valid(); }),
+                       _viewRecords.end());
+    const auto found = std::find(_viewRecords.begin(), _viewRecords.end(), &record);
+    if (found == _viewRecords.end()) _viewRecords.push_back(&record);
+}
+
+std::vector<osg::ref_ptr<ViewRecord>> WaterSurface::viewRecords() const
+{
+    const std::lock_guard<std::mutex> lock(_viewRecordsMutex);
+    std::vector<osg::ref_ptr<ViewRecord>> records;
+    for (const osg::observer_ptr<ViewRecord>& observed : _viewRecords)
+    {
+        osg::ref_ptr<ViewRecord> record;
+        if (observed.lock(record)) records.push_back(record);
+    }
+    return records;
 }
 
 void WaterSurface::releaseGLObjects(osg::State* state) const
 {
+    for (const osg::ref_ptr<ViewRecord>& record : viewRecords())
+        record->release(*this, state);
+    for (const osg::ref_ptr<StillWater>& sheet : _stillWaters)
+        sheet->calmMesh()->releaseGLObjects(state);
+    if (_sky) _sky->releaseGLObjects(state);
     osg::Geode::releaseGLObjects(state);
 }
 
 void WaterSurface::resizeGLObjectBuffers(unsigned int maxSize)
 {
+    for (const osg::ref_ptr<ViewRecord>& record : viewRecords())
+        record->resizeGLObjectBuffers(maxSize);
+    for (const osg::ref_ptr<StillWater>& sheet : _stillWaters)
+        sheet->calmMesh()->resizeGLObjectBuffers(maxSize);
+    if (_sky) _sky->resizeGLObjectBuffers(maxSize);
     osg::Geode::resizeGLObjectBuffers(maxSize);
 }

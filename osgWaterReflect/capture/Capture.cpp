@@ -31,6 +31,7 @@ osg::ref_ptr<osg::Texture2D> createImage(GLint internalFormat, GLenum format, GL
 // The format that a camera renders its colour to; RGBA8 where that is the window's.
 GLint colourFormat(const osg::Camera& camera)
 {
+    if (camera.getRenderTargetImplementation() == osg::Camera::FRAME_BUFFER) return GL_RGBA8;
     const auto& attachments = camera.getBufferAttachmentMap();
     for (auto buffer : {osg::Camera::COLOR_BUFFER, osg::Camera::COLOR_BUFFER0})
     {
@@ -55,6 +56,7 @@ Capture::Capture() :
     _camera(new osg::Camera), _stage(new osgUtil::RenderStage), _visitor(new CaptureVisitor)
 {
     _windowZ->setShadowComparison(false);
+    _camera->setName(CAMERA_NAME);
     _camera->setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
     _camera->setImplicitBufferAttachmentMask(0, 0);
     _camera->attach(osg::Camera::COLOR_BUFFER0, _colour);
@@ -70,9 +72,9 @@ bool Capture::serves(osgUtil::CullVisitor& view)
     if (!camera || !viewport || viewport->width() < 1.0 || viewport->height() < 1.0) return false;
 
     const auto& attachments = camera->getBufferAttachmentMap();
-    const bool hasColour =
-        std::any_of(attachments.begin(), attachments.end(), [](const auto& attachment)
-                    { return attachment.first >= osg::Camera::COLOR_BUFFER; });
+    const bool hasColour = std::any_of(attachments.begin(), attachments.end(),
+                                       [](const auto& attachment)
+                                       { return attachment.first >= osg::Camera::COLOR_BUFFER; });
     return attachments.empty() || hasColour;
 }
 

@@ -21,6 +21,9 @@ namespace osgWaterReflect
 class Capture : public osg::Referenced
 {
 public:
+    /// Of the camera of every capture's render stage, for those who look into a frame.
+    static constexpr const char* CAMERA_NAME = "osgWaterReflect capture";
+
     Capture();
 
     /// Renders the capture before the view's current stage, unless that has been arranged in this

@@ -31,6 +31,18 @@ std::size_t countOfView(const std::vector<const osg::StateSet*>& stateSets)
     return 0;
 }
 
+// The traversal mask that the cull of the view's camera began with. What stands above the water may
+// have narrowed it since (a shadowed scene shows receivers only); what an eye of a stereo view
+// began with is the narrowest that holds what is left.
+osg::Node::NodeMask maskOfCamera(const osgUtil::CullVisitor& view)
+{
+    const auto now = view.getTraversalMask();
+    auto mask = ~osg::Node::NodeMask(0);
+    for (auto candidate : {view.getCullMask(), view.getCullMaskLeft(), view.getCullMaskRight()})
+        if ((candidate & now) == now) mask &= candidate;
+    return mask;
+}
+
 } // namespace
 
 void CaptureVisitor::cull(osgUtil::CullVisitor& view, osgUtil::RenderStage& stage,
@@ -49,7 +61,7 @@ void CaptureVisitor::cull(osgUtil::CullVisitor& view, osgUtil::RenderStage& stag
     _waters.clear();
     setFrameStamp(const_cast<osg::FrameStamp*>(view.getFrameStamp()));
     setTraversalNumber(view.getTraversalNumber());
-    setTraversalMask(view.getTraversalMask());
+    setTraversalMask(maskOfCamera(view));
     setTraversalMode(view.getTraversalMode());
     setNodeMaskOverride(view.getNodeMaskOverride());
     setDatabaseRequestHandler(view.getDatabaseRequestHandler());
@@ -61,7 +73,11 @@ void CaptureVisitor::cull(osgUtil::CullVisitor& view, osgUtil::RenderStage& stag
     stage.reset();
     setStateGraph(_captureStateGraph.get());
     setRenderStage(&stage);
-    stage.setInitialViewMatrix(viewStage.getInitialViewMatrix());
+    // A matrix object of its own: osg::State skips one that it has loaded last, but every stage
+    // loads the identity behind its back, and the view's first light would be placed by that.
+    const osg::ref_ptr<osg::RefMatrix> eyeFromWorld =
+        new osg::RefMatrix(*viewStage.getInitialViewMatrix());
+    stage.setInitialViewMatrix(eyeFromWorld);
     stage.setColorMask(viewStage.getColorMask());
     stage.setClearColor(viewStage.getClearColor());
     stage.setClearMask(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -86,6 +102,9 @@ void CaptureVisitor::cull(osgUtil::CullVisitor& view, osgUtil::RenderStage& stag
     stateSets.resize(countOfView(stateSets));
     for (const osg::Node* node : cameraPath)
         if (node->getStateSet()) stateSets.push_back(node->getStateSet());
+    // Views and cameras keep their viewport in their StateSet too; the stage has another.
+    _stageState->setAttribute(stage.getViewport());
+    stateSets.push_back(_stageState.get());
     for (const osg::StateSet* stateSet : stateSets)
         pushStateSet(stateSet);
     for (osg::Node* node : cameraPath)
@@ -93,8 +112,7 @@ void CaptureVisitor::cull(osgUtil::CullVisitor& view, osgUtil::RenderStage& stag
 
     pushViewport(viewStage.getViewport());
     pushProjectionMatrix(&projection);
-    pushModelViewMatrix(const_cast<osg::RefMatrix*>(viewStage.getInitialViewMatrix()),
-                        osg::Transform::ABSOLUTE_RF);
+    pushModelViewMatrix(eyeFromWorld, osg::Transform::ABSOLUTE_RF);
 
     if (osg::Callback* callback = camera.getCullCallback())
         callback->run(&camera, this);

@@ -32,6 +32,7 @@ public:
 
 private:
     osg::ref_ptr<osgUtil::StateGraph> _captureStateGraph = new osgUtil::StateGraph;
+    osg::ref_ptr<osg::StateSet> _stageState = new osg::StateSet;
     std::vector<const WaterSurface*> _waters;
 };
 

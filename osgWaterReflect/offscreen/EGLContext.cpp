@@ -52,14 +52,22 @@ public:
         _display = openDisplay();
         if (_display == EGL_NO_DISPLAY || !eglBindAPI(EGL_OPENGL_API)) return;
 
-        const EGLint configAttributes[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT,
-                                           EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
-                                           EGL_RED_SIZE, 8,
-                                           EGL_GREEN_SIZE, 8,
-                                           EGL_BLUE_SIZE, 8,
-                                           EGL_ALPHA_SIZE, 8,
-                                           EGL_DEPTH_SIZE, 24,
-                                           EGL_STENCIL_SIZE, 8,
+        const EGLint configAttributes[] = {EGL_SURFACE_TYPE,
+                                           EGL_PBUFFER_BIT,
+                                           EGL_RENDERABLE_TYPE,
+                                           EGL_OPENGL_BIT,
+                                           EGL_RED_SIZE,
+                                           8,
+                                           EGL_GREEN_SIZE,
+                                           8,
+                                           EGL_BLUE_SIZE,
+                                           8,
+                                           EGL_ALPHA_SIZE,
+                                           8,
+                                           EGL_DEPTH_SIZE,
+                                           24,
+                                           EGL_STENCIL_SIZE,
+                                           8,
                                            EGL_NONE};
         EGLConfig config = nullptr;
         EGLint count = 0;
@@ -70,10 +78,7 @@ public:
         _context = eglCreateContext(_display, config, EGL_NO_CONTEXT, nullptr);
     }
 
-    bool valid() const override
-    {
-        return _surface != EGL_NO_SURFACE && _context != EGL_NO_CONTEXT;
-    }
+    bool valid() const override { return _surface != EGL_NO_SURFACE && _context != EGL_NO_CONTEXT; }
 
     bool makeCurrentImplementation() override
     {

@@ -17,10 +17,14 @@ public:
     OSMesaGraphicsContext(int width, int height) :
         OffscreenContext(width, height), _pixels(static_cast<std::size_t>(width) * height * 4)
     {
-        const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA,
-                                  OSMESA_DEPTH_BITS, 24,
-                                  OSMESA_STENCIL_BITS, 8,
-                                  OSMESA_PROFILE, OSMESA_COMPAT_PROFILE,
+        const int attributes[] = {OSMESA_FORMAT,
+                                  OSMESA_RGBA,
+                                  OSMESA_DEPTH_BITS,
+                                  24,
+                                  OSMESA_STENCIL_BITS,
+                                  8,
+                                  OSMESA_PROFILE,
+                                  OSMESA_COMPAT_PROFILE,
                                   0};
         _context = OSMesaCreateContextAttribs(attributes, nullptr);
     }

@@ -20,14 +20,17 @@ class OffscreenContext : public osg::GraphicsContext
 public:
     OffscreenContext(int width, int height);
 
-    bool realizeImplementation() override { return true; }
-    bool isRealizedImplementation() const override { return valid(); }
+    bool realizeImplementation() override { return _realized = valid(); }
+    bool isRealizedImplementation() const override { return _realized && valid(); }
     bool makeContextCurrentImplementation(osg::GraphicsContext*) override
     {
         return makeCurrentImplementation();
     }
     void bindPBufferToTextureImplementation(GLenum) override {}
     void swapBuffersImplementation() override {}
+
+private:
+    bool _realized = false;
 };
 
 } // namespace osgWaterReflect

@@ -53,9 +53,9 @@ MirrorView pitched(double height, double pitchDegrees)
 void checkAgainstMirror(const MirrorComparison& result)
 {
     WARN(result.waterPixels << " water pixels, " << result.visible << " with a visible reflection, "
-                            << result.visibleRight << " right, median error "
-                            << result.medianError << " px; " << result.sky << " of sky, "
-                            << result.skyHit << " falsely hit");
+                            << result.visibleRight << " right, median error " << result.medianError
+                            << " px; " << result.sky << " of sky, " << result.skyHit
+                            << " falsely hit");
     CHECK(result.visible > 1000);
     CHECK(result.visibleRight >= 0.99 * result.visible);
     CHECK(result.visibleWrongInside == 0);
@@ -78,10 +78,10 @@ TEST_CASE("calm water shows what the mirrored eye sees")
         const char* name;
         MirrorView view;
     } views[] = {
-        {"level", pitched(2.0, 0.0)},       {"pitch 5", pitched(2.0, 5.0)},
-        {"pitch 8.6", pitched(2.0, 8.6)},   {"pitch 15", pitched(4.0, 15.0)},
-        {"pitch 25", pitched(8.0, 25.0)},   {"pitch 40", pitched(8.0, 40.0)},
-        {"grazing", pitched(0.15, 0.3)},    {"rolled", rolled},
+        {"level", pitched(2.0, 0.0)},     {"pitch 5", pitched(2.0, 5.0)},
+        {"pitch 8.6", pitched(2.0, 8.6)}, {"pitch 15", pitched(4.0, 15.0)},
+        {"pitch 25", pitched(8.0, 25.0)}, {"pitch 40", pitched(8.0, 40.0)},
+        {"grazing", pitched(0.15, 0.3)},  {"rolled", rolled},
         {"orthographic", orthographic},
     };
     const osg::Plane level(0, 0, 1, 0);
@@ -112,9 +112,9 @@ TEST_CASE("tilted calm water shows what the eye mirrored in it sees")
 }
 
 // Followed outward, a ray that comes back up beside the eye leaves the image through the side that
-// its pixel lies toward: x (1 + t) / (1 - t) grows past the border before 1 - t, its depth, falls to
-// the near plane, except right under the eye.
-// Breaks with: the near plane's condition dropped from projectRay (ray.glsl).
+// its pixel lies toward: x (1 + t) / (1 - t) grows past the border before 1 - t, its depth, falls
+// to the near plane, except right under the eye. Breaks with: the near plane's condition dropped
+// from projectRay (ray.glsl).
 TEST_CASE("straight down nothing is hit, for the right reason, without a seam")
 {
     const osg::ref_ptr<osg::Group> scene = new osg::Group;
@@ -152,9 +152,10 @@ TEST_CASE("straight down nothing is hit, for the right reason, without a seam")
             const bool diagonal = std::abs(std::abs(ndcX) - std::abs(ndcY)) < 0.5 / size;
             const bool atZone = std::abs(larger - centreZone) < 0.5 / size;
             if (diagonal || atZone) continue; // two reasons hold at once
-            const osg::Vec4 expected = larger < centreZone                  ? towardEye
-                                       : std::abs(ndcX) > std::abs(ndcY) ? (ndcX < 0 ? left : right)
-                                                                          : (ndcY < 0 ? bottom : top);
+            const osg::Vec4 expected = larger < centreZone ? towardEye
+                                       : std::abs(ndcX) > std::abs(ndcY)
+                                           ? (ndcX < 0 ? left : right)
+                                           : (ndcY < 0 ? bottom : top);
             towardEyeCount += larger < centreZone;
             wrong += (pixel(*reasons, x, y) - expected).length() > 1e-6;
         }
@@ -177,8 +178,8 @@ TEST_CASE("binary search finds most of what sequential search finds, and invents
     ReflectionSettings settings;
     settings.search = Search::BINARY;
     REQUIRE(water->setReflection(settings));
-    const MirrorComparison result = compareWithMirror(*boxes(), *water, osg::Plane(0, 0, 1, 0),
-                                                      pitched(2.0, 8.6), "binary");
+    const MirrorComparison result =
+        compareWithMirror(*boxes(), *water, osg::Plane(0, 0, 1, 0), pitched(2.0, 8.6), "binary");
     WARN(result.visibleRight << " of " << result.visible << " right, " << result.skyHit << " of "
                              << result.sky << " sky pixels falsely hit");
     CHECK(result.visibleRight >= 0.75 * result.visible);
@@ -191,10 +192,10 @@ TEST_CASE("what hangs in front of the water is not smeared over it")
     const osg::ref_ptr<osg::Group> scene = boxes();
     scene->addChild(
         new osg::ShapeDrawable(new osg::Box(osg::Vec3(0, 2, 2.4), 3.0, 0.3, 0.15))); // a branch
-    const MirrorComparison result = compareWithMirror(
-        *scene, *levelWater(), osg::Plane(0, 0, 1, 0), pitched(2.0, 8.6), "branch");
-    WARN(result.skyHit << " of " << result.sky << " sky pixels falsely hit, "
-                       << result.visibleRight << " of " << result.visible << " right");
+    const MirrorComparison result = compareWithMirror(*scene, *levelWater(), osg::Plane(0, 0, 1, 0),
+                                                      pitched(2.0, 8.6), "branch");
+    WARN(result.skyHit << " of " << result.sky << " sky pixels falsely hit, " << result.visibleRight
+                       << " of " << result.visible << " right");
     CHECK(result.skyHit <= 0.005 * result.sky);
     CHECK(result.visibleRight >= 0.98 * result.visible);
 }

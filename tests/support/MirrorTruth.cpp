@@ -78,13 +78,12 @@ PlacePicture picture(OffscreenView& view, osg::Node& scene)
 
 bool isVisible(const PlacePicture& direct, const osg::Vec3d& window)
 {
-    if (!(window.z() > 0.0 && window.x() >= 0.5 && window.x() <= WIDTH - 0.5 &&
-          window.y() >= 0.5 && window.y() <= HEIGHT - 0.5))
+    if (!(window.z() > 0.0 && window.x() >= 0.5 && window.x() <= WIDTH - 0.5 && window.y() >= 0.5 &&
+          window.y() <= HEIGHT - 0.5))
         return false;
     // 0.2 %: more than a face's depth varies within a pixel, less than lies between a face and what
     // it hides.
-    const double seen =
-        direct.depthAt(static_cast<int>(window.x()), static_cast<int>(window.y()));
+    const double seen = direct.depthAt(static_cast<int>(window.x()), static_cast<int>(window.y()));
     return std::abs(window.z() - seen) <= 0.002 * seen;
 }
 
@@ -97,9 +96,9 @@ MirrorComparison compareWithMirror(osg::Group& scene, WaterSurface& water,
     OffscreenView offscreen(WIDTH, HEIGHT, OffscreenView::Format::RGBA32F);
     offscreen.camera().setClearColor(osg::Vec4(0, 0, 0, 0));
     offscreen.look(view.eye, view.centre, view.fovyDegrees);
-    offscreen.camera().setViewMatrix(offscreen.camera().getViewMatrix() *
-                                     osg::Matrixd::rotate(osg::DegreesToRadians(view.rollDegrees),
-                                                          osg::Vec3d(0, 0, 1)));
+    offscreen.camera().setViewMatrix(
+        offscreen.camera().getViewMatrix() *
+        osg::Matrixd::rotate(osg::DegreesToRadians(view.rollDegrees), osg::Vec3d(0, 0, 1)));
     if (view.orthographicHeight > 0.0)
     {
         const double halfHeight = 0.5 * view.orthographicHeight;

@@ -20,13 +20,13 @@ struct MirrorView
 struct MirrorComparison
 {
     int waterPixels = 0;
-    int visible = 0;             ///< whose true reflection is seen in the captured image
-    int visibleRight = 0;        ///< of these, traced within 1.5 px of the true place
-    int visibleWrongInside = 0;  ///< of the others, those not within 2 px of a silhouette
-    double medianError = 0.0;    ///< [pixels] of those traced to some place
-    int sky = 0;                 ///< whose true reflection is sky
-    int skyHit = 0;              ///< of these, traced to some place
-    int skyHitInside = 0;        ///< of these, those not within 2 px of a silhouette
+    int visible = 0;            ///< whose true reflection is seen in the captured image
+    int visibleRight = 0;       ///< of these, traced within 1.5 px of the true place
+    int visibleWrongInside = 0; ///< of the others, those not within 2 px of a silhouette
+    double medianError = 0.0;   ///< [pixels] of those traced to some place
+    int sky = 0;                ///< whose true reflection is sky
+    int skyHit = 0;             ///< of these, traced to some place
+    int skyHitInside = 0;       ///< of these, those not within 2 px of a silhouette
 };
 
 /// Renders a scene (in world coordinates, nothing else below it) with water from a view, and from

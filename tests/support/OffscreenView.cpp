@@ -90,7 +90,7 @@ osg::ref_ptr<osg::Image> copyOf(const osg::Image& image)
     return new osg::Image(image, osg::CopyOp::DEEP_COPY_ALL);
 }
 
-void keep(const osg::Image& image, const std::string& name)
+void writeImage(const osg::Image& image, const std::string& file)
 {
     osg::ref_ptr<osg::Image> bytes = new osg::Image;
     bytes->allocateImage(image.s(), image.t(), 1, GL_RGB, GL_UNSIGNED_BYTE);
@@ -102,7 +102,11 @@ void keep(const osg::Image& image, const std::string& name)
                 colour[i] = osg::clampBetween(colour[i], 0.0f, 1.0f);
             bytes->setColor(colour, x, y);
         }
-    const std::string file = std::string(OSGWATERREFLECT_TEST_OUTPUT_DIRECTORY) + "/" + name;
     INFO("writing " << file);
-    CHECK(osgDB::writeImageFile(*bytes, file + ".png"));
+    CHECK(osgDB::writeImageFile(*bytes, file));
+}
+
+void keep(const osg::Image& image, const std::string& name)
+{
+    writeImage(image, std::string(OSGWATERREFLECT_TEST_OUTPUT_DIRECTORY) + "/" + name + ".png");
 }

@@ -48,6 +48,9 @@ int countDifferent(const osg::Image& a, const osg::Image& b, double tolerance = 
 /// A copy, for comparing with a later frame.
 osg::ref_ptr<osg::Image> copyOf(const osg::Image& image);
 
+/// Writes an image, its colours clamped to [0, 1], in 8 bits.
+void writeImage(const osg::Image& image, const std::string& file);
+
 /// Writes an image for a person to look at, to build/test-output/NAME.png.
 void keep(const osg::Image& image, const std::string& name);
 

@@ -1,0 +1,163 @@
+#include "support/Catch.h"
+#include "support/OffscreenView.h"
+#include "support/Scenes.h"
+
+#include <osgWaterReflect/CompileShaders>
+#include <osgWaterReflect/TrochoidalWaves>
+
+#include <osg/Notify>
+#include <osg/Program>
+
+#include <mutex>
+#include <sstream>
+
+using osgWaterReflect::CompileShaders;
+using osgWaterReflect::Search;
+using osgWaterReflect::TrochoidalWaves;
+using osgWaterReflect::WaterSurface;
+
+namespace
+{
+
+// Counts the programs that OSG says it links, while it exists.
+class CountLinks : public osg::NotifyHandler
+{
+public:
+    void notify(osg::NotifySeverity, const char* message) override
+    {
+        count += std::string(message).find("Linking osg::Program") != std::string::npos;
+    }
+    int count = 0;
+};
+
+class ListenToLinks
+{
+public:
+    ListenToLinks() : _level(osg::getNotifyLevel()), _handler(osg::getNotifyHandler())
+    {
+        osg::setNotifyHandler(_counter);
+        osg::setNotifyLevel(osg::INFO);
+    }
+    ~ListenToLinks()
+    {
+        osg::setNotifyLevel(_level);
+        osg::setNotifyHandler(_handler);
+    }
+    int count() const { return _counter->count; }
+
+private:
+    osg::ref_ptr<CountLinks> _counter = new CountLinks;
+    osg::NotifySeverity _level;
+    osg::ref_ptr<osg::NotifyHandler> _handler;
+};
+
+osg::ref_ptr<osg::TextureCubeMap> createSky()
+{
+    osg::ref_ptr<osg::TextureCubeMap> sky = new osg::TextureCubeMap;
+    for (unsigned int face = 0; face < 6; ++face)
+    {
+        osg::ref_ptr<osg::Image> image = new osg::Image;
+        image->allocateImage(1, 1, 1, GL_RGB, GL_UNSIGNED_BYTE);
+        sky->setImage(face, image);
+    }
+    return sky;
+}
+
+// Draws two frames with each variant of the water.
+void drawEveryVariant(OffscreenView& view)
+{
+    const osg::ref_ptr<WaterSurface> lake = scenes::createLake();
+    const osg::ref_ptr<osg::Group> root = scenes::together({lake});
+    for (bool wavy : {false, true})
+        for (bool sky : {false, true})
+            for (Search search : {Search::SEQUENTIAL, Search::BINARY})
+                for (auto debugView :
+                     {WaterSurface::DebugView::NONE, WaterSurface::DebugView::REASON,
+                      WaterSurface::DebugView::REFLECTION})
+                {
+                    lake->setWaves(wavy ? new TrochoidalWaves : nullptr);
+                    lake->setSky(sky ? createSky().get() : nullptr);
+                    auto settings = lake->getReflection();
+                    settings.search = search;
+                    REQUIRE(lake->setReflection(settings));
+                    lake->setDebugView(debugView);
+                    view.render(root);
+                    view.render(root);
+                }
+}
+
+} // namespace
+
+// Breaks where CompileShaders leaves a value of an axis out, or does not keep the programs.
+TEST_CASE("after CompileShaders no variant of the water is compiled at its first draw")
+{
+    OffscreenView view(32, 24);
+    const osg::ref_ptr<CompileShaders> compile = new CompileShaders;
+    view.viewer().setRealizeOperation(compile);
+    {
+        const ListenToLinks links;
+        view.viewer().realize();
+        CHECK(links.count() == 24); // 2 waves, 2 skies, 2 searches, 3 outputs
+    }
+    CHECK(compile->getNumCompiled() == 24);
+    CHECK(compile->getNumFailed() == 0);
+    {
+        const ListenToLinks links;
+        drawEveryVariant(view);
+        CHECK(links.count() == 0);
+    }
+}
+
+// Breaks where SheetPass::setWater sets a new program in each frame.
+TEST_CASE("without CompileShaders each variant is compiled at its first draw, and once")
+{
+    OffscreenView view(32, 24);
+    {
+        const ListenToLinks links;
+        drawEveryVariant(view);
+        CHECK(links.count() == 24);
+    }
+}
+
+// As a core profile asks for. The scene has a program of its own: fixed functions know nothing of
+// generic attributes. A compatibility context keeps GLSL's own names alive beside OSG's, so this
+// shows only that OSG's rewriting of them does no harm.
+// Breaks where water.vert has a global variable osg_Vertex.
+TEST_CASE("water is the same where OSG hands attributes and matrices to shaders by its own names")
+{
+    const auto createScene = []
+    {
+        osg::ref_ptr<osg::Program> program = new osg::Program;
+        program->addShader(new osg::Shader(osg::Shader::VERTEX, R"glsl(#version 130
+            varying vec4 colour;
+            void main()
+            {
+                colour = gl_Color;
+                gl_Position = gl_ProjectionMatrix * (gl_ModelViewMatrix * gl_Vertex);
+            })glsl"));
+        program->addShader(new osg::Shader(osg::Shader::FRAGMENT, R"glsl(#version 130
+            varying vec4 colour;
+            out vec4 fragmentColour;
+            void main() { fragmentColour = colour; })glsl"));
+        const osg::ref_ptr<osg::Group> scene = scenes::together(
+            {scenes::createQuad(osg::Vec3(-3, 4, -0.5), osg::Vec3(4, 1, 0), osg::Vec3(0, 0, 3),
+                                osg::Vec4(1, 0.3, 0.1, 1)),
+             scenes::createQuad(osg::Vec3(2, 3, -0.5), osg::Vec3(3, 0, 0), osg::Vec3(0, 0.5, 4),
+                                osg::Vec4(0.1, 0.7, 0.4, 1))});
+        scene->getOrCreateStateSet()->setAttribute(program);
+        const osg::ref_ptr<WaterSurface> lake = scenes::createLake();
+        lake->setWaves(new TrochoidalWaves);
+        return scenes::together({scene, lake});
+    };
+    OffscreenView compatible(160, 120);
+    const osg::ref_ptr<osg::Image> expected = copyOf(compatible.render(createScene(), 2.0));
+
+    OffscreenView view(160, 120);
+    osg::State& state = *view.camera().getGraphicsContext()->getState();
+    state.setUseVertexAttributeAliasing(true);
+    state.setUseModelViewAndProjectionUniforms(true);
+    state.resetVertexAttributeAlias(true);
+    const osg::Image& picture = view.render(createScene(), 2.0);
+    keep(picture, "core");
+    CHECK(countDifferent(*expected, picture, 1.01 / 255.0) == 0);
+}

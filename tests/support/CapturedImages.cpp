@@ -1,0 +1,99 @@
+#include "CapturedImages.h"
+
+#include "Catch.h"
+
+#include <osgWaterReflect/capture/Capture.h>
+
+#include <osgUtil/RenderStage>
+#include <osgViewer/Renderer>
+
+using osgWaterReflect::Capture;
+
+namespace
+{
+
+osg::ref_ptr<osg::Image> read(osg::State& state, osg::Texture2D& texture, GLenum format,
+                              GLenum type)
+{
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    const GLenum imageFormat = format == GL_DEPTH_COMPONENT ? GL_LUMINANCE : format;
+    image->allocateImage(texture.getTextureWidth(), texture.getTextureHeight(), 1, imageFormat,
+                         type);
+    state.applyTextureAttribute(0, &texture);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTexImage(GL_TEXTURE_2D, 0, format, type, image->data());
+    return image;
+}
+
+osg::Texture2D* attached(const osg::Camera& camera, osg::Camera::BufferComponent buffer)
+{
+    const auto found = camera.getBufferAttachmentMap().find(buffer);
+    REQUIRE(found != camera.getBufferAttachmentMap().end());
+    return dynamic_cast<osg::Texture2D*>(found->second._texture.get());
+}
+
+void collect(const CapturedImages& to, osg::State& state, const osgUtil::RenderStage& stage)
+{
+    for (const auto& entry : stage.getPreRenderList())
+    {
+        const osgUtil::RenderStage& before = *entry.second;
+        const osg::Camera* camera = before.getCamera();
+        ++to.stages;
+        collect(to, state, before);
+        if (!camera || camera->getName() != Capture::CAMERA_NAME) continue;
+
+        osg::Texture2D* colour = attached(*camera, osg::Camera::COLOR_BUFFER0);
+        osg::Texture2D* windowZ = attached(*camera, osg::Camera::DEPTH_BUFFER);
+        const bool bytes = colour->getInternalFormat() == GL_RGBA8;
+        CapturedImage image;
+        image.of = stage.getCamera();
+        image.colourFormat = colour->getInternalFormat();
+        image.colour = read(state, *colour, GL_RGBA, bytes ? GL_UNSIGNED_BYTE : GL_FLOAT);
+        image.windowZ = read(state, *windowZ, GL_DEPTH_COMPONENT, GL_FLOAT);
+        to.images.push_back(image);
+        to.textures.push_back(colour);
+        to.textures.push_back(windowZ);
+    }
+}
+
+} // namespace
+
+osg::ref_ptr<osg::Texture2D> createWindowZTexture(int width, int height)
+{
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D;
+    texture->setTextureSize(width, height);
+    texture->setInternalFormat(GL_DEPTH_COMPONENT24);
+    texture->setSourceFormat(GL_DEPTH_COMPONENT);
+    texture->setSourceType(GL_UNSIGNED_INT);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
+    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
+    return texture;
+}
+
+osg::ref_ptr<CapturedImages> CapturedImages::of(osg::Camera& camera)
+{
+    osg::ref_ptr<CapturedImages> captured = new CapturedImages;
+    camera.setPostDrawCallback(captured);
+    return captured;
+}
+
+void CapturedImages::operator()(osg::RenderInfo& renderInfo) const
+{
+    osg::Camera& camera = *renderInfo.getCurrentCamera();
+    auto* renderer = dynamic_cast<osgViewer::Renderer*>(camera.getRenderer());
+    REQUIRE(renderer);
+    images.clear();
+    textures.clear();
+    stages = 0;
+    collect(*this, *renderInfo.getState(), *renderer->getSceneView(0)->getRenderStage());
+
+    if (camera.getBufferAttachmentMap().count(osg::Camera::DEPTH_BUFFER))
+        frameWindowZ = read(*renderInfo.getState(), *attached(camera, osg::Camera::DEPTH_BUFFER),
+                            GL_DEPTH_COMPONENT, GL_FLOAT);
+}
+
+const CapturedImage& CapturedImages::one() const
+{
+    REQUIRE(images.size() == 1);
+    return images.front();
+}
