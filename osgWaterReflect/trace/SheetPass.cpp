@@ -4,8 +4,6 @@
 #include "Bindings.h"
 #include "WaterProgram.h"
 
-#include <osg/BlendFunc>
-#include <osg/CullFace>
 #include <osg/Depth>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -41,7 +39,6 @@ SheetPass::SheetPass() : _stateSet(new osg::StateSet)
     _stateSet->setNestRenderBins(false);
     _stateSet->setMode(GL_BLEND, OFF);
     _stateSet->setMode(GL_CULL_FACE, OFF);
-    _stateSet->setMode(GL_ALPHA_TEST, OFF);
     _stateSet->setMode(GL_DEPTH_TEST, ON);
     _stateSet->setAttribute(new osg::Depth(osg::Depth::LESS, 0.0, 1.0, true), ON);
     bindings::set(*_stateSet, bindings::CAPTURE_COLOUR,

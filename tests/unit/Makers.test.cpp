@@ -37,9 +37,9 @@ void checkShape(WaterSurface* made, const osg::Vec3d& normal, double area)
     CHECK((vector / vector.length() - normal).length() < 1e-5);
 
     // The sheet's frame: rigid, its z along the normal, its x the local x laid into the plane.
-    water->getBound();
-    REQUIRE(water->getStillWaters().size() == 1);
-    const glm::dmat4& frame = water->getStillWaters()[0]->localFromSurface();
+    REQUIRE(water->getNumDrawables() == 1);
+    const osg::ref_ptr<StillWater> sheet = StillWater::create(*water->getDrawable(0));
+    const glm::dmat4& frame = sheet->localFromSurface();
     const osg::Vec3d x(frame[0][0], frame[0][1], frame[0][2]);
     const osg::Vec3d y(frame[1][0], frame[1][1], frame[1][2]);
     const osg::Vec3d z(frame[2][0], frame[2][1], frame[2][2]);

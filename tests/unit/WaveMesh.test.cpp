@@ -30,9 +30,8 @@ osg::ref_ptr<StillWater> sheetOf(WaterSurface* made)
 {
     osg::ref_ptr<WaterSurface> water = made;
     REQUIRE(water);
-    water->getBound();
-    REQUIRE(water->getStillWaters().size() == 1);
-    return water->getStillWaters()[0];
+    REQUIRE(water->getNumDrawables() == 1);
+    return StillWater::create(*water->getDrawable(0));
 }
 
 osg::ref_ptr<StillWater> lake(double size)
