@@ -1,10 +1,8 @@
-// StillWater takes the sheets from drawables; WaveMesh divides them for a view.
+// WaveMesh divides the sheets of StillWater for a view.
 
 #include "support/Catch.h"
-#include "support/Refusals.h"
-#include "support/SurfaceShape.h"
+#include "support/DividedWater.h"
 
-#include <osgWaterReflect/TrochoidalWaves>
 #include <osgWaterReflect/WaterSurface>
 #include <osgWaterReflect/surface/WaveMesh.h>
 
@@ -16,10 +14,10 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <map>
 #include <random>
 
 using namespace osgWaterReflect;
+using namespace dividedWater;
 
 namespace
 {
@@ -55,144 +53,12 @@ osg::ref_ptr<StillWater> star(double radius)
         outline, {{osg::Vec3(-h, -h, 0), osg::Vec3(h, -h, 0), osg::Vec3(0, h, 0)}}));
 }
 
-// A view of the sheet: the surface frame of these flat lakes is the local one.
-SheetView viewFrom(const glm::dvec3& eye, const glm::dvec3& centre, double waveLength = 0.5,
-                   double amplitude = 0.02)
-{
-    SheetView view;
-    view.viewportWidth = 640.0;
-    view.viewportHeight = 480.0;
-    view.clipFromEye = glm::perspective(glm::radians(46.0), 640.0 / 480.0, 0.1, 2000.0);
-    const glm::dvec3 along = glm::normalize(centre - eye);
-    const glm::dvec3 up = std::abs(along.z) > 0.99 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
-    view.eyeFromSurface = glm::lookAt(eye, centre, up);
-    view.amplitude = amplitude;
-    view.shortestEdge = waveLength / 8.0;
-    return view;
-}
-
 SheetView orthographicView(double halfHeight)
 {
     SheetView view = viewFrom(glm::dvec3(0, -50, 30), glm::dvec3(0, 0, 0));
     const double halfWidth = halfHeight * 640.0 / 480.0;
     view.clipFromEye = glm::ortho(-halfWidth, halfWidth, -halfHeight, halfHeight, -1000.0, 1000.0);
     return view;
-}
-
-struct Mesh
-{
-    std::vector<glm::dvec2> places; // surface space
-    std::vector<unsigned int> triangles;
-};
-
-Mesh read(const WaveMesh& waveMesh)
-{
-    Mesh mesh;
-    const auto& vertices = static_cast<osg::Vec3Array&>(*waveMesh.geometry()->getVertexArray());
-    const auto& indices =
-        static_cast<osg::DrawElementsUInt&>(*waveMesh.geometry()->getPrimitiveSet(0));
-    bool sound = true;
-    for (const osg::Vec3& vertex : vertices)
-    {
-        sound =
-            sound && std::isfinite(vertex.x()) && std::isfinite(vertex.y()) && vertex.z() == 0.0f;
-        mesh.places.push_back(glm::dvec2(vertex.x(), vertex.y()) + waveMesh.anchor());
-    }
-    mesh.triangles.assign(indices.begin(), indices.end());
-    REQUIRE(mesh.triangles.size() % 3 == 0);
-    for (unsigned int index : mesh.triangles)
-        sound = sound && index < mesh.places.size();
-    REQUIRE(sound);
-    return mesh;
-}
-
-Mesh divide(const StillWater& water, const SheetView& view, const SurfaceDetail& detail = {})
-{
-    osg::ref_ptr<WaveMesh> mesh = new WaveMesh;
-    mesh->update(water, view, detail);
-    return read(*mesh);
-}
-
-double signedArea(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
-{
-    return 0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
-}
-
-double areaOf(const std::vector<glm::dvec2>& places, const std::vector<unsigned int>& triangles)
-{
-    double area = 0.0;
-    for (std::size_t i = 0; i < triangles.size(); i += 3)
-        area +=
-            signedArea(places[triangles[i]], places[triangles[i + 1]], places[triangles[i + 2]]);
-    return area;
-}
-
-double distanceToSegment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b)
-{
-    const double s = glm::clamp(glm::dot(p - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
-    return glm::distance(p, a + s * (b - a));
-}
-
-// Edges with their number of triangles in either direction.
-std::map<std::pair<unsigned int, unsigned int>, int> edgesOf(const std::vector<unsigned int>& t)
-{
-    std::map<std::pair<unsigned int, unsigned int>, int> edges;
-    for (std::size_t i = 0; i < t.size(); i += 3)
-        for (int j = 0; j < 3; ++j)
-            ++edges[{t[i + j], t[i + (j + 1) % 3]}];
-    return edges;
-}
-
-// Checks that edges belong to two triangles that run along it in opposite directions, and those of
-// one triangle lie on the still outline. With parts outside the view left out, edges of one
-// triangle may also lie wholly beside the view.
-void checkWatertight(const StillWater& water, const Mesh& mesh, const SheetView* view = nullptr)
-{
-    // The outline: edges of the still sheet with one triangle.
-    std::vector<std::pair<glm::dvec2, glm::dvec2>> outline;
-    const auto still = edgesOf(water.triangles());
-    for (const auto& edge : still)
-        if (!still.count({edge.first.second, edge.first.first}))
-            outline.push_back(
-                {water.corners()[edge.first.first], water.corners()[edge.first.second]});
-
-    const auto edges = edgesOf(mesh.triangles);
-    int offOutline = 0;
-    int doubled = 0;
-    for (const auto& edge : edges)
-    {
-        doubled += edge.second != 1;
-        if (edges.count({edge.first.second, edge.first.first})) continue;
-        const glm::dvec2& a = mesh.places[edge.first.first];
-        const glm::dvec2& b = mesh.places[edge.first.second];
-        // Vertices are single precision about the anchor.
-        const double tolerance = 1e-6 * (1.0 + glm::length(a) + glm::length(b));
-        bool explained = false;
-        for (const auto& side : outline)
-            explained = explained || (distanceToSegment(a, side.first, side.second) < tolerance &&
-                                      distanceToSegment(b, side.first, side.second) < tolerance);
-        if (!explained && view)
-        {
-            // Beyond the same side of the view, raised or lowered.
-            for (int axis = 0; axis < 3 && !explained; ++axis)
-                for (double sign : {-1.0, 1.0})
-                {
-                    bool beyond = true;
-                    for (const glm::dvec2& place : {a, b})
-                        for (double height : {-view->amplitude, view->amplitude})
-                        {
-                            const glm::dvec4 clip = view->clipFromEye * view->eyeFromSurface *
-                                                    glm::dvec4(place, height, 1.0);
-                            const double other = axis < 2 ? sign * clip[axis] : 0.0;
-                            beyond = beyond && clip.w + other < 1e-6;
-                        }
-                    explained = explained || beyond;
-                }
-        }
-        offOutline += !explained;
-    }
-    CHECK(doubled == 0);
-    CHECK(offOutline == 0);
 }
 
 // The longest edge over what it may be: maxEdgePixels face on at the nearest point of the edge,
@@ -471,94 +337,6 @@ TEST_CASE("the mesh is divided anew when the view, the detail or the sheet chang
     changes("maxEdgePixels");
     water = lake(99.0);
     changes("the sheet");
-}
-
-// Falls when create() keeps triangles with a corner twice.
-TEST_CASE("triangles without an area and corners given twice make no difference")
-{
-    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
-    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
-    for (const osg::Vec3& v : {osg::Vec3(0, 0, 1), osg::Vec3(4, 0, 1), osg::Vec3(4, 4, 1),
-                               osg::Vec3(0, 4, 1), osg::Vec3(4, 4, 1), osg::Vec3(0, 0, 1)})
-        vertices->push_back(v);
-    geometry->setVertexArray(vertices);
-    osg::ref_ptr<osg::DrawElementsUInt> indices = new osg::DrawElementsUInt(GL_TRIANGLES);
-    for (unsigned int i : {0, 1, 2, 5, 4, 3, 0, 5, 1, 2, 2, 2, 4, 1, 2})
-        indices->push_back(i);
-    geometry->addPrimitiveSet(indices);
-    osg::ref_ptr<StillWater> water = StillWater::create(*geometry);
-    REQUIRE(water);
-    CHECK(water->corners().size() == 4);
-    CHECK(water->triangles().size() == 6);
-    const SheetView view = viewFrom({2, -6, 9}, {2, 2, 0});
-    const Mesh mesh = divide(*water, view);
-    checkWatertight(*water, mesh, &view);
-    CHECK(areaOf(mesh.places, mesh.triangles) == Approx(16.0).epsilon(1e-6));
-
-    // Nothing but such triangles, nothing finite, nothing at all: no sheet.
-    indices->clear();
-    CHECK_FALSE(StillWater::create(*geometry));
-    for (unsigned int i : {0, 1, 1, 2, 4, 2})
-        indices->push_back(i);
-    CHECK_FALSE(StillWater::create(*geometry));
-    vertices->assign(3, osg::Vec3(1, 2, 3));
-    vertices->back().x() = std::numeric_limits<float>::quiet_NaN();
-    indices->clear();
-    for (unsigned int i : {0, 1, 2})
-        indices->push_back(i);
-    CHECK_FALSE(StillWater::create(*geometry));
-    CHECK_FALSE(StillWater::create(*new osg::Geometry));
-}
-
-// Falls when offPlane is never compared, or `area` is the first triangle's alone.
-TEST_CASE("a drawable that is not plane is laid in its mean plane, with a message")
-{
-    Refusals refusals;
-    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
-    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
-    for (const osg::Vec3& v :
-         {osg::Vec3(0, 0, 1), osg::Vec3(4, 0, 0), osg::Vec3(4, 4, 1), osg::Vec3(0, 4, 0)})
-        vertices->push_back(v);
-    geometry->setVertexArray(vertices);
-    geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_FAN, 0, 4));
-    osg::ref_ptr<StillWater> water = StillWater::create(*geometry);
-    REQUIRE(water);
-    CHECK(isRefusalOf("WaterSurface", refusals.take()));
-    // Raised and lowered corners cancel: the mean plane is level.
-    CHECK(water->localFromSurface()[2][2] == Approx(1.0));
-    CHECK(std::abs(water->localFromSurface()[3][2] - 0.5) < 0.2);
-}
-
-// Falls when computeBound leaves out the waves, or localBound the amplitude.
-TEST_CASE("the water's bound holds its waves, tilted water's too")
-{
-    osg::ref_ptr<TrochoidalWaves> waves = TrochoidalWaves::createBreeze(20.0, 0.9);
-    const double amplitude = waves->getAmplitude();
-    REQUIRE(amplitude > 0.3);
-    for (const osg::Vec3& width : {osg::Vec3(0, 10, 0), osg::Vec3(0, 6, 8)})
-    {
-        osg::ref_ptr<WaterSurface> water =
-            WaterSurface::createRectangle(osg::Vec3(1, 2, 3), osg::Vec3(10, 0, 0), width);
-        const double calmRadius = water->getBound().radius();
-        water->setWaves(waves);
-        osg::Vec3 normal = osg::Vec3(10, 0, 0) ^ width;
-        normal.normalize();
-        const osg::BoundingSphere bound = water->getBound();
-        const osg::BoundingBox box = water->getBoundingBox();
-        for (double s : {-0.5, 0.5})
-            for (double t : {-0.5, 0.5})
-                for (double height : {-amplitude, amplitude})
-                {
-                    const osg::Vec3 p =
-                        osg::Vec3(1, 2, 3) + osg::Vec3(10, 0, 0) * s + width * t + normal * height;
-                    CHECK((p - bound.center()).length() <= bound.radius() * 1.00001);
-                    osg::BoundingBox larger = box;
-                    larger.expandBy(p);
-                    CHECK(larger.radius() <= box.radius() * 1.00001);
-                }
-        water->setWaves(nullptr);
-        CHECK(water->getBound().radius() == Approx(calmRadius));
-    }
 }
 
 TEST_CASE("print how long the division takes", "[.time]")

@@ -1,0 +1,121 @@
+// The matrices between a scene and the window: several transforms above one water, other
+// projections, and scenes that lie turned, scaled or far away.
+
+#include "support/CapturedImages.h"
+#include "support/Catch.h"
+#include "support/HarbourWindow.h"
+#include "support/OffscreenView.h"
+#include "support/Scenes.h"
+
+#include <osg/MatrixTransform>
+
+using osgWaterReflect::WaterSurface;
+
+namespace
+{
+
+const int WIDTH = HarbourWindow::WIDTH;
+const int HEIGHT = HarbourWindow::HEIGHT;
+
+} // namespace
+
+// Breaks where ViewRecord::passFor does not ask for the serial number.
+TEST_CASE("one water under two transforms is drawn at both places")
+{
+    HarbourWindow view;
+    const osg::ref_ptr<osg::Group> harbour = scenes::createHarbour();
+    const auto at = [](osg::Node& node, const osg::Vec3d& place)
+    {
+        osg::ref_ptr<osg::MatrixTransform> transform =
+            new osg::MatrixTransform(osg::Matrixd::translate(place));
+        transform->addChild(&node);
+        return transform;
+    };
+    const osg::Vec3d left(-5, 0, -0.3);
+    const osg::Vec3d right(5, 2, 0.4);
+    const osg::ref_ptr<osg::Image> expected = copyOf(view.render(scenes::together(
+        {harbour, at(*scenes::createLake(0, 9), left), at(*scenes::createLake(0, 9), right)})));
+    const osg::ref_ptr<WaterSurface> lake = scenes::createLake(0, 9);
+    const osg::ref_ptr<osg::Group> both =
+        scenes::together({harbour, at(*lake, left), at(*lake, right)});
+    for (int frame = 0; frame < 3; ++frame)
+        CHECK(countDifferent(view.render(both), *expected) == 0);
+    const osg::ref_ptr<osg::Image> one =
+        copyOf(view.render(scenes::together({harbour, at(*lake, left)})));
+    CHECK(countDifferent(*one, *expected) > 100);
+}
+
+// Breaks where Capture::require makes the projection symmetric ((*projection)(2, 0) = 0).
+TEST_CASE("the capture is the frame without water in orthographic and off-axis views, too")
+{
+    OffscreenView view(WIDTH, HEIGHT, OffscreenView::Format::RGBA32F);
+    const osg::ref_ptr<CapturedImages> captured = CapturedImages::of(view.camera());
+    view.look(scenes::HARBOUR_EYE, scenes::HARBOUR_CENTRE);
+    SECTION("orthographic")
+    {
+        view.camera().setProjectionMatrixAsOrtho(-8, 8, -6, 6, 0.1, 100);
+    }
+    SECTION("off-axis")
+    {
+        view.camera().setProjectionMatrixAsFrustum(-0.02, 0.1, -0.06, 0.03, 0.1, 100);
+    }
+    const osg::ref_ptr<osg::Group> harbour = scenes::createHarbour();
+    const osg::ref_ptr<osg::Image> frame = copyOf(view.render(harbour));
+    view.render(scenes::together({harbour, scenes::createLake()}));
+    CHECK(countDifferent(*captured->one().colour, *frame) == 0);
+}
+
+// Breaks where SheetPass::draw multiplies matrices of world space in single precision.
+TEST_CASE("turned, scaled, mirrored, or at the earth's surface, a scene looks as at the origin")
+{
+    const osg::ref_ptr<WaterSurface> lake = scenes::createLake();
+    const osg::ref_ptr<osg::Group> scene = scenes::together(
+        {scenes::createBox(osg::Vec3(-3, 3, 1), osg::Vec3(2, 2, 4), osg::Vec4(0.9, 0.4, 0.2, 1)),
+         scenes::createBox(osg::Vec3(2, 1, 1.5), osg::Vec3(3, 1, 1), osg::Vec4(0.2, 0.8, 0.4, 1)),
+         scenes::createBox(osg::Vec3(4, 6, 1), osg::Vec3(1, 1, 5), osg::Vec4(0.3, 0.3, 0.9, 1)),
+         lake});
+    HarbourWindow view;
+    const osg::ref_ptr<osg::Image> expected = copyOf(view.render(scene));
+
+    osg::Matrixd worldFromScene;
+    double scale = 1.0;
+    SECTION("turned")
+    {
+        worldFromScene.makeRotate(1.1, osg::Vec3d(0.3, -0.5, 0.8));
+    }
+    SECTION("scaled")
+    {
+        scale = 7.5;
+        worldFromScene.makeScale(scale, scale, scale);
+    }
+    SECTION("mirrored")
+    {
+        worldFromScene.makeScale(-1, 1, 1);
+        scene->getOrCreateStateSet()->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
+    }
+    SECTION("at the earth's surface")
+    {
+        worldFromScene.makeTranslate(4.1e6, -3.3e6, 3.6e6);
+    }
+    SECTION("upright on the earth's surface")
+    {
+        worldFromScene = osg::Matrixd::rotate(osg::Vec3d(0, 0, 1), osg::Vec3d(0.64, -0.52, 0.56)) *
+                         osg::Matrixd::translate(4.1e6, -3.3e6, 3.6e6);
+    }
+    // Thickness is in world units; it grows with the scene.
+    osgWaterReflect::ReflectionSettings settings = lake->getReflection();
+    settings.thickness *= scale;
+    REQUIRE(lake->setReflection(settings));
+
+    const osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(worldFromScene);
+    transform->addChild(scene);
+    osg::Matrixd eyeFromScene =
+        osg::Matrixd::lookAt(scenes::HARBOUR_EYE, scenes::HARBOUR_CENTRE, osg::Vec3d(0, 0, 1));
+    view.camera().setViewMatrix(osg::Matrixd::inverse(worldFromScene) * eyeFromScene *
+                                osg::Matrixd::scale(scale, scale, scale));
+    view.camera().setProjectionMatrixAsPerspective(46.0, double(WIDTH) / HEIGHT, 0.1 * scale,
+                                                   1000.0 * scale);
+    // A double at 6.4e6 m resolves 1e-9 m, and the drawn matrices are of single precision in eye
+    // space: edges, of boxes and their reflections, may move by a pixel's fraction.
+    CHECK(countDifferent(view.render(transform), *expected, 0.01) <= 40);
+}
