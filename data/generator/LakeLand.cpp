@@ -33,7 +33,8 @@ osg::Vec2 atAngle(float angle, float radius)
 // Rings around the lake, as metres inland: fine at the shore, wide where the mountains are.
 std::vector<float> ringsInland()
 {
-    std::vector<float> rings = {-40.0f, -30.0f, -20.0f, -14.0f, -9.0f, -6.0f, -4.0f, -3.0f};
+    // The first lies beyond the lake's middle everywhere, so that its points meet there.
+    std::vector<float> rings = {-50.0f, -30.0f, -20.0f, -14.0f, -9.0f, -6.0f, -4.0f, -3.0f};
     float step = 0.35f;
     for (float inland = -2.3f; inland < 760.0f; inland += step)
     {
