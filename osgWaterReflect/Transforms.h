@@ -7,6 +7,7 @@
 #include <osg/Vec2d>
 #include <osg/Vec3d>
 
+#include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat4x4.hpp>
 
@@ -62,8 +63,10 @@ inline glm::dvec4 eyePointOf(const glm::dmat4& clipFromEye)
     const bool orthographic =
         clipFromEye[0][3] == 0.0 && clipFromEye[1][3] == 0.0 && clipFromEye[2][3] == 0.0;
     if (!orthographic) return glm::dvec4(0.0, 0.0, 0.0, 1.0);
-    return glm::dvec4(-clipFromEye[2][0] / clipFromEye[0][0],
-                      -clipFromEye[2][1] / clipFromEye[1][1], 1.0, 0.0);
+    // Along it neither clip x nor clip y changes.
+    const glm::dmat4 rows = glm::transpose(clipFromEye);
+    const glm::dvec3 along = glm::cross(glm::dvec3(rows[0]), glm::dvec3(rows[1]));
+    return glm::dvec4(along.z < 0.0 ? -along : along, 0.0);
 }
 
 } // namespace osgWaterReflect

@@ -63,9 +63,9 @@ void SheetPass::setCapture(const Capture& capture)
     bindings::set(*_stateSet, bindings::CAPTURE_CLIP_FROM_EYE, toOsgFloat(clipFromEye));
     bindings::set(*_stateSet, bindings::CAPTURE_DEPTH_SCALE,
                   osg::Vec2(perspectiveScale, orthographicScale));
-    bindings::set(
-        *_stateSet, bindings::CAPTURE_PIXEL_EXTENT,
-        static_cast<float>(2.0 / (clipFromEye[0][0] * capture.colour()->getTextureWidth())));
+    const double clipXPerUnit = std::hypot(clipFromEye[0][0], clipFromEye[1][0]);
+    bindings::set(*_stateSet, bindings::CAPTURE_PIXEL_EXTENT,
+                  static_cast<float>(2.0 / (clipXPerUnit * capture.colour()->getTextureWidth())));
 
     const osg::Vec4& clear = capture.clearColour();
     bindings::set(*_stateSet, bindings::CLEAR_COLOUR, osg::Vec3(clear.r(), clear.g(), clear.b()));
