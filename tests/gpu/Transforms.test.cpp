@@ -65,6 +65,49 @@ TEST_CASE("the capture is the frame without water in orthographic and off-axis v
     CHECK(countDifferent(*captured->one().colour, *frame) == 0);
 }
 
+// Breaks where SheetPass takes a pixel's extent from clipFromEye[0][0] alone, without its sign, or
+// eyePointOf divides by it (Transforms.h).
+TEST_CASE("a projection that turns the picture shows the same water, turned")
+{
+    const osg::ref_ptr<osg::Group> scene = scenes::together(
+        {scenes::createBox(osg::Vec3(-3, 3, 1), osg::Vec3(2, 2, 4), osg::Vec4(0.9, 0.4, 0.2, 1)),
+         scenes::createBox(osg::Vec3(2, 1, 1.5), osg::Vec3(3, 1, 1), osg::Vec4(0.2, 0.8, 0.4, 1)),
+         scenes::createLake()});
+    const int size = 120;
+    OffscreenView view(size, size, OffscreenView::Format::RGBA32F);
+    view.look(scenes::HARBOUR_EYE, scenes::HARBOUR_CENTRE);
+    osg::Matrixd clipFromEye = view.camera().getProjectionMatrix();
+    SECTION("orthographic")
+    {
+        clipFromEye.makeOrtho(-7, 7, -7, 7, 0.1, 100);
+    }
+    SECTION("perspective") {}
+
+    view.camera().setProjectionMatrix(clipFromEye);
+    const osg::ref_ptr<osg::Image> upright = copyOf(view.render(scene));
+    const osg::Matrixd halfTurn = osg::Matrixd::scale(-1, -1, 1);
+    view.camera().setProjectionMatrix(clipFromEye * halfTurn);
+    const osg::ref_ptr<osg::Image> halfTurned = copyOf(view.render(scene));
+    const osg::Matrixd quarterTurn(0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
+    view.camera().setProjectionMatrix(clipFromEye * quarterTurn);
+    const osg::ref_ptr<osg::Image> quarterTurned = copyOf(view.render(scene));
+
+    int halfDifferent = 0;
+    int quarterDifferent = 0;
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+        {
+            const osg::Vec4 expected = pixel(*upright, x, y);
+            const osg::Vec4 half = pixel(*halfTurned, size - 1 - x, size - 1 - y);
+            const osg::Vec4 quarter = pixel(*quarterTurned, size - 1 - y, x);
+            halfDifferent += (half - expected).length() > 0.01;
+            quarterDifferent += (quarter - expected).length() > 0.01;
+        }
+    // A point of an edge that lies on a pixel's centre may fall to its other side: a few pixels.
+    CHECK(halfDifferent <= 5);
+    CHECK(quarterDifferent <= 5);
+}
+
 // Breaks where SheetPass::draw multiplies matrices of world space in single precision.
 TEST_CASE("turned, scaled, mirrored, or at the earth's surface, a scene looks as at the origin")
 {
