@@ -170,9 +170,8 @@ osg::BoundingSphere WaterSurface::computeBound() const
     _stillWaters.clear();
     for (unsigned int i = 0; i < getNumDrawables(); ++i)
     {
-        osg::ref_ptr<StillWater> sheet =
-            StillWater::create(const_cast<osg::Drawable&>(*getDrawable(i)));
-        if (sheet) _stillWaters.push_back(sheet);
+        const auto sheets = StillWater::createSheets(const_cast<osg::Drawable&>(*getDrawable(i)));
+        _stillWaters.insert(_stillWaters.end(), sheets.begin(), sheets.end());
     }
     if (_waves)
     {

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 
@@ -45,6 +46,52 @@ glm::dmat4 planeFrame(const glm::dvec3& normal, const glm::dvec3& point)
                       glm::dvec4(origin, 1.0));
 }
 
+// Triangles sorted by the planes that they lie in, to within what single precision makes of their
+// corners, whichever side they face. Those without an area lie in no plane of their own.
+std::vector<std::vector<glm::dvec3>> splitByPlane(const std::vector<glm::dvec3>& points)
+{
+    double extent = 0.0;
+    std::vector<std::pair<double, std::size_t>> byArea; // and the first point's index
+    for (std::size_t i = 0; i < points.size(); i += 3)
+    {
+        for (std::size_t corner = i; corner < i + 3; ++corner)
+            extent = std::max(extent, glm::length(points[corner]));
+        const double area = glm::length(areaVector(&points[i]));
+        if (area > 0.0) byArea.push_back({area, i});
+    }
+    // The largest first: a sliver's plane is that of its neighbours, not what its corners' rounding
+    // makes of it.
+    std::stable_sort(byArea.begin(), byArea.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+
+    const double tolerance = 1e-5 * extent;            // a hundred roundings of the farthest corner
+    std::vector<std::pair<glm::dvec3, double>> planes; // unit normal, distance from the origin
+    std::vector<std::vector<glm::dvec3>> split;
+    for (const auto& [area, first] : byArea)
+    {
+        std::size_t i = 0;
+        const auto holds = [&](const auto& plane)
+        {
+            bool inside = true;
+            for (std::size_t corner = first; corner < first + 3; ++corner)
+                inside = inside && std::abs(glm::dot(plane.first, points[corner]) - plane.second) <=
+                                       tolerance;
+            return inside;
+        };
+        while (i < planes.size() && !holds(planes[i]))
+            ++i;
+        if (i == planes.size())
+        {
+            const glm::dvec3 normal = glm::normalize(areaVector(&points[first]));
+            planes.push_back({normal, glm::dot(normal, points[first])});
+            split.emplace_back();
+            if (planes.size() > StillWater::MAX_PLANES) return split;
+        }
+        split[i].insert(split[i].end(), points.begin() + first, points.begin() + first + 3);
+    }
+    return split;
+}
+
 } // namespace
 
 osg::ref_ptr<osg::Geometry> osgWaterReflect::createSurfaceGeometry()
@@ -57,12 +104,26 @@ osg::ref_ptr<osg::Geometry> osgWaterReflect::createSurfaceGeometry()
     return geometry;
 }
 
-osg::ref_ptr<StillWater> StillWater::create(osg::Drawable& drawable)
+std::vector<osg::ref_ptr<StillWater>> StillWater::createSheets(osg::Drawable& drawable)
 {
     osg::TriangleFunctor<CollectTriangles> collect;
     drawable.accept(collect);
-    const std::vector<glm::dvec3>& points = collect.corners;
 
+    std::vector<std::vector<glm::dvec3>> planes = splitByPlane(collect.corners);
+    if (planes.size() > MAX_PLANES)
+    {
+        OSG_WARN << "WaterSurface: expected a drawable of at most " << MAX_PLANES
+                 << " planes, got more; the water is laid in the mean plane" << std::endl;
+        planes = {collect.corners};
+    }
+    std::vector<osg::ref_ptr<StillWater>> sheets;
+    for (const std::vector<glm::dvec3>& points : planes)
+        if (osg::ref_ptr<StillWater> sheet = create(points)) sheets.push_back(sheet);
+    return sheets;
+}
+
+osg::ref_ptr<StillWater> StillWater::create(const std::vector<glm::dvec3>& points)
+{
     glm::dvec3 area(0.0);
     glm::dvec3 centre(0.0);
     for (std::size_t i = 0; i < points.size(); i += 3)
@@ -73,20 +134,14 @@ osg::ref_ptr<StillWater> StillWater::create(osg::Drawable& drawable)
 
     osg::ref_ptr<StillWater> water = new StillWater;
     water->_localFromSurface = planeFrame(glm::normalize(area), centre);
-    const double offPlane = water->addTriangles(points);
-    // Single precision leaves far less than a thousandth of the size; more is a shape.
-    if (offPlane > 1e-3 * std::sqrt(glm::length(area)))
-        OSG_WARN
-            << "WaterSurface: expected a plane drawable, got one that leaves its mean plane by "
-            << offPlane << "; the water is laid in the mean plane" << std::endl;
+    water->addTriangles(points);
     water->createCalmMesh();
     return water;
 }
 
-double StillWater::addTriangles(const std::vector<glm::dvec3>& points)
+void StillWater::addTriangles(const std::vector<glm::dvec3>& points)
 {
     const glm::dmat4 surfaceFromLocal = glm::inverse(_localFromSurface);
-    double offPlane = 0.0;
 
     // Corners that coincide become one, so that neighbours split a common edge at one place.
     std::map<std::tuple<double, double, double>, unsigned int> indexOf;
@@ -101,7 +156,6 @@ double StillWater::addTriangles(const std::vector<glm::dvec3>& points)
             const glm::dvec3 inPlane = _localFromSurface * glm::dvec4(surface.x, surface.y, 0, 1);
             _corners.push_back(glm::dvec2(surface));
             _stillBound.expandBy(toOsg(inPlane));
-            offPlane = std::max(offPlane, std::abs(surface.z));
         }
         _triangles.push_back(added.first->second);
 
@@ -112,7 +166,6 @@ double StillWater::addTriangles(const std::vector<glm::dvec3>& points)
         if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0])
             _triangles.resize(last - 2);
     }
-    return offPlane;
 }
 
 void StillWater::createCalmMesh()

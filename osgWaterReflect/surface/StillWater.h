@@ -13,7 +13,7 @@
 namespace osgWaterReflect
 {
 
-/// One sheet of still water, taken from a drawable: its plane, and its outline in triangles.
+/// One sheet of still water, taken from a drawable: a plane, and its outline in triangles.
 ///
 /// Surface space has its z along the still normal (the side from which the triangles run counter
 /// clockwise), its x along the local x axis laid into the plane (the local y axis where x is close
@@ -22,9 +22,12 @@ namespace osgWaterReflect
 class StillWater : public osg::Referenced
 {
 public:
-    /// Null where the drawable has no triangle with an area. Says on OSG_WARN when it is not
-    /// plane; the mean plane is taken then.
-    static osg::ref_ptr<StillWater> create(osg::Drawable& drawable);
+    /// The drawable's sheets, one for each plane that its triangles lie in (osgUtil::Optimizer
+    /// merges a node's lakes into one drawable); none where no triangle has an area. More than
+    /// MAX_PLANES are a curved surface: it is laid in its mean plane, with a message on OSG_WARN.
+    static std::vector<osg::ref_ptr<StillWater>> createSheets(osg::Drawable& drawable);
+
+    static constexpr std::size_t MAX_PLANES = 16;
 
     const glm::dmat4& localFromSurface() const { return _localFromSurface; }
 
@@ -42,8 +45,10 @@ public:
 private:
     StillWater() = default;
 
-    /// Three local points a triangle. Returns how far they leave the plane [local units].
-    double addTriangles(const std::vector<glm::dvec3>& points);
+    /// Of three local points a triangle; null where they have no area.
+    static osg::ref_ptr<StillWater> create(const std::vector<glm::dvec3>& points);
+
+    void addTriangles(const std::vector<glm::dvec3>& points);
     void createCalmMesh();
 
     glm::dmat4 _localFromSurface{1.0};

@@ -38,8 +38,9 @@ void checkShape(WaterSurface* made, const osg::Vec3d& normal, double area)
 
     // The sheet's frame: rigid, its z along the normal, its x the local x laid into the plane.
     REQUIRE(water->getNumDrawables() == 1);
-    const osg::ref_ptr<StillWater> sheet = StillWater::create(*water->getDrawable(0));
-    const glm::dmat4& frame = sheet->localFromSurface();
+    const auto sheets = StillWater::createSheets(*water->getDrawable(0));
+    REQUIRE(sheets.size() == 1);
+    const glm::dmat4& frame = sheets[0]->localFromSurface();
     const osg::Vec3d x(frame[0][0], frame[0][1], frame[0][2]);
     const osg::Vec3d y(frame[1][0], frame[1][1], frame[1][2]);
     const osg::Vec3d z(frame[2][0], frame[2][1], frame[2][2]);

@@ -8,6 +8,9 @@
 #include <osgWaterReflect/WaterSurface>
 #include <osgWaterReflect/surface/StillWater.h>
 
+#include <osgUtil/Optimizer>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -27,8 +30,9 @@ TEST_CASE("triangles without an area and corners given twice make no difference"
     for (unsigned int i : {0, 1, 2, 5, 4, 3, 0, 5, 1, 2, 2, 2, 4, 1, 2})
         indices->push_back(i);
     geometry->addPrimitiveSet(indices);
-    osg::ref_ptr<StillWater> water = StillWater::create(*geometry);
-    REQUIRE(water);
+    const auto sheets = StillWater::createSheets(*geometry);
+    REQUIRE(sheets.size() == 1);
+    const osg::ref_ptr<StillWater> water = sheets[0];
     CHECK(water->corners().size() == 4);
     CHECK(water->triangles().size() == 6);
     const SheetView view = viewFrom({2, -6, 9}, {2, 2, 0});
@@ -38,36 +42,70 @@ TEST_CASE("triangles without an area and corners given twice make no difference"
 
     // Nothing but such triangles, nothing finite, nothing at all: no sheet.
     indices->clear();
-    CHECK_FALSE(StillWater::create(*geometry));
+    CHECK(StillWater::createSheets(*geometry).empty());
     for (unsigned int i : {0, 1, 1, 2, 4, 2})
         indices->push_back(i);
-    CHECK_FALSE(StillWater::create(*geometry));
+    CHECK(StillWater::createSheets(*geometry).empty());
     vertices->assign(3, osg::Vec3(1, 2, 3));
     vertices->back().x() = std::numeric_limits<float>::quiet_NaN();
     indices->clear();
     for (unsigned int i : {0, 1, 2})
         indices->push_back(i);
-    CHECK_FALSE(StillWater::create(*geometry));
-    CHECK_FALSE(StillWater::create(*new osg::Geometry));
+    CHECK(StillWater::createSheets(*geometry).empty());
+    CHECK(StillWater::createSheets(*new osg::Geometry).empty());
 }
 
-// Falls when offPlane is never compared, or `area` is the first triangle's alone.
-TEST_CASE("a drawable that is not plane is laid in its mean plane, with a message")
+// Falls when createSheets() goes on with more than MAX_PLANES, or `area` is the first triangle's
+// alone.
+TEST_CASE("a curved drawable is laid in its mean plane, with a message")
 {
+    // Strips of a shallow valley along y, z = (x / 20)^2: as much rises to one side as to the
+    // other.
     Refusals refusals;
     osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
     osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
-    for (const osg::Vec3& v :
-         {osg::Vec3(0, 0, 1), osg::Vec3(4, 0, 0), osg::Vec3(4, 4, 1), osg::Vec3(0, 4, 0)})
-        vertices->push_back(v);
+    for (int x = -20; x <= 20; ++x)
+        for (int y : {10, -10})
+            vertices->push_back(osg::Vec3(x, y, x * x / 400.0f));
     geometry->setVertexArray(vertices);
-    geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_FAN, 0, 4));
-    osg::ref_ptr<StillWater> water = StillWater::create(*geometry);
-    REQUIRE(water);
+    geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_STRIP, 0, vertices->size()));
+    const auto sheets = StillWater::createSheets(*geometry);
+    REQUIRE(sheets.size() == 1);
     CHECK(isRefusalOf("WaterSurface", refusals.take()));
-    // Raised and lowered corners cancel: the mean plane is level.
-    CHECK(water->localFromSurface()[2][2] == Approx(1.0));
-    CHECK(std::abs(water->localFromSurface()[3][2] - 0.5) < 0.2);
+    CHECK(sheets[0]->localFromSurface()[2][2] == Approx(1.0));
+    // The mean of x^2 / 400 over the strips' corners, of which the outer ones count half.
+    CHECK(std::abs(sheets[0]->localFromSurface()[3][2] - 1.0 / 3.0) < 0.01);
+}
+
+// Falls when splitByPlane() takes the first triangle's plane for all, or the smallest first.
+TEST_CASE("each plane of a drawable is a sheet, so that an optimizer may merge a node's lakes")
+{
+    const osg::ref_ptr<WaterSurface> water =
+        WaterSurface::createRectangle(osg::Vec3(0, 0, 1), osg::Vec3(9, 0, 0), osg::Vec3(0, 9, 0));
+    const osg::ref_ptr<WaterSurface> higher = WaterSurface::createRectangle(
+        osg::Vec3(20, 0, 1.01f), osg::Vec3(9, 0, 0), osg::Vec3(0, 9, 0));
+    const osg::ref_ptr<WaterSurface> tilted =
+        WaterSurface::createRectangle(osg::Vec3(40, 0, 1), osg::Vec3(9, 0, 0), osg::Vec3(0, 9, 2));
+    water->addDrawable(higher->getDrawable(0));
+    water->addDrawable(tilted->getDrawable(0));
+    const osg::ref_ptr<osg::Group> root = new osg::Group;
+    root->addChild(water);
+    osgUtil::Optimizer().optimize(root);
+    REQUIRE(water->getNumDrawables() == 1); // else this tests nothing
+
+    const auto sheets = StillWater::createSheets(*water->getDrawable(0));
+    REQUIRE(sheets.size() == 3);
+    std::vector<double> levels;
+    for (const osg::ref_ptr<StillWater>& sheet : sheets)
+    {
+        const glm::dmat4& frame = sheet->localFromSurface();
+        CHECK(sheet->triangles().size() == 6);
+        if (frame[2][2] > 0.9999) levels.push_back(frame[3][2]);
+    }
+    std::sort(levels.begin(), levels.end());
+    REQUIRE(levels.size() == 2);
+    CHECK(levels[0] == Approx(1.0));
+    CHECK(levels[1] == Approx(1.01));
 }
 
 // Falls when computeBound leaves out the waves, or localBound the amplitude.

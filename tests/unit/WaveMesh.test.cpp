@@ -29,7 +29,9 @@ osg::ref_ptr<StillWater> sheetOf(WaterSurface* made)
     osg::ref_ptr<WaterSurface> water = made;
     REQUIRE(water);
     REQUIRE(water->getNumDrawables() == 1);
-    return StillWater::create(*water->getDrawable(0));
+    const auto sheets = StillWater::createSheets(*water->getDrawable(0));
+    REQUIRE(sheets.size() == 1);
+    return sheets[0];
 }
 
 osg::ref_ptr<StillWater> lake(double size)
