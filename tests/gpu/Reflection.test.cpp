@@ -1,6 +1,7 @@
 #include "support/Catch.h"
 #include "support/MirrorTruth.h"
 #include "support/OffscreenView.h"
+#include "support/Scenes.h"
 
 #include <osg/ShapeDrawable>
 
@@ -10,34 +11,6 @@ using osgWaterReflect::WaterSurface;
 
 namespace
 {
-
-// Boxes that stand in the water, near and far, and one that hangs over it.
-osg::ref_ptr<osg::Group> boxes()
-{
-    osg::ref_ptr<osg::Group> group = new osg::Group;
-    const auto add = [&](double x, double y, double lowest, double width, double height)
-    {
-        const osg::Vec3 centre(x, y, lowest + 0.5 * height);
-        group->addChild(new osg::ShapeDrawable(new osg::Box(centre, width, width, height)));
-    };
-    add(-6, 18, -0.5, 3, 4);
-    add(-2.5, 9, -0.5, 1, 1.4);
-    add(1.5, 12, -0.5, 1.5, 3);
-    add(4, 20, -0.5, 4, 6);
-    add(-14, 34, -0.5, 6, 9);
-    add(12, 40, -0.5, 5, 8);
-    add(0, 45, -0.5, 8, 7);
-    add(2.5, 7, -0.2, 0.6, 0.7);
-    add(-0.8, 6, -0.2, 0.4, 0.5);
-    add(-4.5, 13, 0.8, 1, 1);
-    return group;
-}
-
-osg::ref_ptr<WaterSurface> levelWater()
-{
-    return WaterSurface::createRectangle(osg::Vec3(0, 20, 0), osg::Vec3(200, 0, 0),
-                                         osg::Vec3(0, 200, 0));
-}
 
 // Looking along +y, pitched down.
 MirrorView pitched(double height, double pitchDegrees)
@@ -88,8 +61,8 @@ TEST_CASE("calm water shows what the mirrored eye sees")
     for (const auto& view : views)
         DYNAMIC_SECTION(view.name)
         {
-            checkAgainstMirror(
-                compareWithMirror(*boxes(), *levelWater(), level, view.view, view.name));
+            checkAgainstMirror(compareWithMirror(
+                *scenes::createBoxes(), *scenes::createBoxesWater(), level, view.view, view.name));
         }
 }
 
@@ -105,8 +78,8 @@ TEST_CASE("tilted calm water shows what the eye mirrored in it sees")
             const osg::Vec3d centre = along * 20.0;
             const osg::ref_ptr<WaterSurface> water = WaterSurface::createRectangle(
                 centre, osg::Vec3(200, 0, 0), osg::Vec3(along * 120.0));
-            checkAgainstMirror(compareWithMirror(*boxes(), *water, osg::Plane(normal, centre),
-                                                 pitched(3.0, 8.6),
+            checkAgainstMirror(compareWithMirror(*scenes::createBoxes(), *water,
+                                                 osg::Plane(normal, centre), pitched(3.0, 8.6),
                                                  degrees < 0 ? "tilted down" : "tilted up"));
         }
 }
@@ -174,12 +147,12 @@ TEST_CASE("straight down nothing is hit, for the right reason, without a seam")
 // The paper's binary search trades hits for fetches: design puts its share of right pixels at 87 %.
 TEST_CASE("binary search finds most of what sequential search finds, and invents little")
 {
-    const osg::ref_ptr<WaterSurface> water = levelWater();
+    const osg::ref_ptr<WaterSurface> water = scenes::createBoxesWater();
     ReflectionSettings settings;
     settings.search = Search::BINARY;
     REQUIRE(water->setReflection(settings));
-    const MirrorComparison result =
-        compareWithMirror(*boxes(), *water, osg::Plane(0, 0, 1, 0), pitched(2.0, 8.6), "binary");
+    const MirrorComparison result = compareWithMirror(
+        *scenes::createBoxes(), *water, osg::Plane(0, 0, 1, 0), pitched(2.0, 8.6), "binary");
     WARN(result.visibleRight << " of " << result.visible << " right, " << result.skyHit << " of "
                              << result.sky << " sky pixels falsely hit");
     CHECK(result.visibleRight >= 0.75 * result.visible);
@@ -189,11 +162,11 @@ TEST_CASE("binary search finds most of what sequential search finds, and invents
 // Breaks with: the thickness taken as infinite (search_sequential.glsl).
 TEST_CASE("what hangs in front of the water is not smeared over it")
 {
-    const osg::ref_ptr<osg::Group> scene = boxes();
+    const osg::ref_ptr<osg::Group> scene = scenes::createBoxes();
     scene->addChild(
         new osg::ShapeDrawable(new osg::Box(osg::Vec3(0, 2, 2.4), 3.0, 0.3, 0.15))); // a branch
-    const MirrorComparison result = compareWithMirror(*scene, *levelWater(), osg::Plane(0, 0, 1, 0),
-                                                      pitched(2.0, 8.6), "branch");
+    const MirrorComparison result = compareWithMirror(
+        *scene, *scenes::createBoxesWater(), osg::Plane(0, 0, 1, 0), pitched(2.0, 8.6), "branch");
     WARN(result.skyHit << " of " << result.sky << " sky pixels falsely hit, " << result.visibleRight
                        << " of " << result.visible << " right");
     CHECK(result.skyHit <= 0.005 * result.sky);

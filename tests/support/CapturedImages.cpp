@@ -47,6 +47,7 @@ void collect(const CapturedImages& to, osg::State& state, const osgUtil::RenderS
         const bool bytes = colour->getInternalFormat() == GL_RGBA8;
         CapturedImage image;
         image.of = stage.getCamera();
+        image.clipFromEye = camera->getProjectionMatrix();
         image.colourFormat = colour->getInternalFormat();
         image.colour = read(state, *colour, GL_RGBA, bytes ? GL_UNSIGNED_BYTE : GL_FLOAT);
         image.windowZ = read(state, *windowZ, GL_DEPTH_COMPONENT, GL_FLOAT);

@@ -13,6 +13,7 @@ struct CapturedImage
     osg::ref_ptr<osg::Image> colour;  ///< bytes where the texture is RGBA8, else floats
     osg::ref_ptr<osg::Image> windowZ; ///< floats
     GLint colourFormat = 0;
+    osg::Matrixd clipFromEye;        ///< that it was taken with, for row vectors
     const osg::Camera* of = nullptr; ///< the camera that it was captured for
 };
 

@@ -64,6 +64,33 @@ osg::ref_ptr<WaterSurface> scenes::createLake(double level, double size)
                                          osg::Vec3(0, size, 0));
 }
 
+osg::ref_ptr<osg::Group> scenes::createBoxes()
+{
+    osg::ref_ptr<osg::Group> group = new osg::Group;
+    const auto add = [&](double x, double y, double lowest, double width, double height)
+    {
+        const osg::Vec3 centre(x, y, lowest + 0.5 * height);
+        group->addChild(new osg::ShapeDrawable(new osg::Box(centre, width, width, height)));
+    };
+    add(-6, 18, -0.5, 3, 4);
+    add(-2.5, 9, -0.5, 1, 1.4);
+    add(1.5, 12, -0.5, 1.5, 3);
+    add(4, 20, -0.5, 4, 6);
+    add(-14, 34, -0.5, 6, 9);
+    add(12, 40, -0.5, 5, 8);
+    add(0, 45, -0.5, 8, 7);
+    add(2.5, 7, -0.2, 0.6, 0.7);
+    add(-0.8, 6, -0.2, 0.4, 0.5);
+    add(-4.5, 13, 0.8, 1, 1);
+    return group;
+}
+
+osg::ref_ptr<WaterSurface> scenes::createBoxesWater()
+{
+    return WaterSurface::createRectangle(osg::Vec3(0, 20, 0), osg::Vec3(200, 0, 0),
+                                         osg::Vec3(0, 200, 0));
+}
+
 osg::ref_ptr<osg::Node> scenes::createStandIn()
 {
     return createQuad(osg::Vec3(-30, -30, 0), osg::Vec3(60, 0, 0), osg::Vec3(0, 60, 0),

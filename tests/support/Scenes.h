@@ -22,6 +22,12 @@ const osg::Vec3d HARBOUR_CENTRE(0.0, 0.0, 0.5);
 /// Calm square water about the origin.
 osg::ref_ptr<osgWaterReflect::WaterSurface> createLake(double level = 0.0, double size = 60.0);
 
+/// Boxes that stand in the water, near and far along +y, and one that hangs over it.
+osg::ref_ptr<osg::Group> createBoxes();
+
+/// Calm level water below the boxes, farther than they reach.
+osg::ref_ptr<osgWaterReflect::WaterSurface> createBoxesWater();
+
 /// A plain magenta rectangle where createLake() has water: a picture with it tells which pixels
 /// show the water.
 osg::ref_ptr<osg::Node> createStandIn();
