@@ -13,6 +13,7 @@ TraceResult searchImage(ImageRay ray)
 
     bool inFront = true;
     bool hit = false;
+    float sBefore = 0.0;   // the previous column, at first the start
     float s = 0.0;
     float surfaceZ = 0.0;  // nothing is known of the surface before the first column: no jump
     float before = 0.0;    // depth of the ray behind the surface, at the previous column [windowZ]
@@ -23,6 +24,7 @@ TraceResult searchImage(ImageRay ray)
     float hidden = 0.0;    // ... and its depth behind that [windowZ]
     for (int i = 0; i < columns.count && !hit; ++i)
     {
+        sBefore = s;
         s = columnAt(columns, i);
         vec3 window = ray.start + s * extent;
         float previousZ = surfaceZ;
@@ -48,7 +50,7 @@ TraceResult searchImage(ImageRay ray)
     if (hit && jump <= thick)
     {
         vec3 window = ray.start + s * extent;
-        vec3 windowBefore = window - columns.step * extent;
+        vec3 windowBefore = ray.start + sBefore * extent;
         behind = window.z - surfaceBetween(window.xy, extent.xy, thick);
         before = windowBefore.z - surfaceBetween(windowBefore.xy, extent.xy, thick);
         firstShare = 2.0;
@@ -56,7 +58,7 @@ TraceResult searchImage(ImageRay ray)
 
     TraceResult result;
     result.reason = hit ? REASON_HIT : inFront ? ray.endReason : REASON_BEHIND;
-    result.s = hit ? crossing(s, columns.step, before, behind, firstShare) : sHidden;
+    result.s = hit ? crossing(s, s - sBefore, before, behind, firstShare) : sHidden;
     result.hidden = hidden;
     result.window = ray.start.xy + result.s * extent.xy;
     return result;

@@ -159,6 +159,22 @@ TEST_CASE("binary search finds most of what sequential search finds, and invents
     CHECK(result.skyHit <= 0.005 * result.sky);
 }
 
+// A stride skips what is narrower, and nothing else: the boxes are 20 to 200 pixels wide.
+// Breaks with: the ray's depth over a whole step left out of `reached` (search_sequential.glsl).
+TEST_CASE("every fourth column is enough for what is wider, away from edges")
+{
+    const osg::ref_ptr<WaterSurface> water = scenes::createBoxesWater();
+    ReflectionSettings settings;
+    settings.stride = 4;
+    REQUIRE(water->setReflection(settings));
+    const MirrorComparison result = compareWithMirror(
+        *scenes::createBoxes(), *water, osg::Plane(0, 0, 1, 0), pitched(2.0, 8.6), "stride");
+    WARN(result.visibleRight << " of " << result.visible << " right, " << result.skyHit << " of "
+                             << result.sky << " sky pixels falsely hit");
+    CHECK(result.visibleRight >= 0.97 * result.visible);
+    CHECK(result.skyHit <= 0.01 * result.sky);
+}
+
 // Breaks with: the thickness taken as infinite (search_sequential.glsl).
 TEST_CASE("what hangs in front of the water is not smeared over it")
 {
