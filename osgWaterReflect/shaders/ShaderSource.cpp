@@ -1,13 +1,33 @@
 #include "ShaderSource.h"
 
 #include <algorithm>
+#include <mutex>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 using namespace osgWaterReflect;
 
 namespace
 {
+
+std::mutex replacementsMutex;
+std::map<std::string, std::string> replacements;
+
+// False where there is no such piece.
+bool findPiece(const std::string& name, std::string& text)
+{
+    const std::lock_guard<std::mutex> lock(replacementsMutex);
+    for (const std::map<std::string, std::string>* pieces :
+         {&std::as_const(replacements), &embeddedShaders})
+    {
+        const auto found = pieces->find(name);
+        if (found == pieces->end()) continue;
+        text = found->second;
+        return true;
+    }
+    return false;
+}
 
 class Assembler
 {
@@ -33,8 +53,8 @@ private:
     void include(const std::string& name, const std::string& includer, std::ostringstream& out)
     {
         const std::string piece = name == "waves" ? _waves : name;
-        const auto found = embeddedShaders.find(piece);
-        if (found == embeddedShaders.end())
+        std::string text;
+        if (!findPiece(piece, text))
             throw std::runtime_error("shader piece " + piece + ", included by " + includer +
                                      ": expected a file of shaders/, got none");
         if (std::find(_open.begin(), _open.end(), piece) != _open.end())
@@ -43,7 +63,7 @@ private:
         const std::size_t number = _pieces.size();
         _pieces.push_back(piece);
         _open.push_back(piece);
-        std::istringstream lines(found->second);
+        std::istringstream lines(text);
         std::string line;
         for (int lineNumber = 1; std::getline(lines, line); ++lineNumber)
         {
@@ -71,4 +91,26 @@ private:
 std::string osgWaterReflect::assembleShader(const std::string& name, const std::string& waves)
 {
     return Assembler(waves).run(name);
+}
+
+ShaderReplacement::ShaderReplacement(const std::string& name, const std::string& text) : _name(name)
+{
+    const std::lock_guard<std::mutex> lock(replacementsMutex);
+    if (!replacements.emplace(name, text).second)
+        throw std::runtime_error("shader piece " + name + ": expected one replacement, got two");
+}
+
+ShaderReplacement::~ShaderReplacement()
+{
+    const std::lock_guard<std::mutex> lock(replacementsMutex);
+    replacements.erase(_name);
+}
+
+std::string ShaderReplacement::all()
+{
+    const std::lock_guard<std::mutex> lock(replacementsMutex);
+    std::string text;
+    for (const auto& replacement : replacements)
+        text += replacement.first + '\n' + replacement.second;
+    return text;
 }

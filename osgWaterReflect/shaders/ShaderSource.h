@@ -18,6 +18,25 @@ extern const std::map<std::string, std::string> embeddedShaders;
 /// itself.
 std::string assembleShader(const std::string& name, const std::string& waves);
 
+/// Another text for a piece, or a piece more, while it lives: so that tests can break a shader on
+/// purpose, and measurements set other methods in the place of the library's.
+///
+/// Water takes it up at its next cull. One piece has one replacement at a time.
+class ShaderReplacement
+{
+public:
+    ShaderReplacement(const std::string& name, const std::string& text);
+    ~ShaderReplacement();
+    ShaderReplacement(const ShaderReplacement&) = delete;
+    ShaderReplacement& operator=(const ShaderReplacement&) = delete;
+
+    /// Names and texts of all that live, in one string; empty where none does.
+    static std::string all();
+
+private:
+    std::string _name;
+};
+
 } // namespace osgWaterReflect
 
 #endif

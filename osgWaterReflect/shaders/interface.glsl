@@ -11,6 +11,9 @@
 #define OUTPUT_WATER 1
 #define OUTPUT_REASON 2
 #define OUTPUT_REFLECTION 3
+#define OUTPUT_POINT 4
+#define OUTPUT_NORMAL 5
+#define OUTPUT_HIT 6
 
 // The capture: an image of the scene without water, and the matrix it was taken with.
 uniform sampler2D osgwr_captureColour;   // the frame's colour, any format

@@ -9,6 +9,7 @@ struct Reflection
 {
     vec3 colour;
     int reason;           // REASON_…
+    vec2 window;          // what shows that colour in the capture [pixels]; (-1, -1): the sky does
 };
 
 Reflection traceReflection(vec3 originEye, vec3 dirEye)
@@ -36,8 +37,14 @@ Reflection traceReflection(vec3 originEye, vec3 dirEye)
     Reflection reflection;
     reflection.reason = result.reason;
     if (result.reason == REASON_HIT || hiddenClosely)
+    {
         reflection.colour = finiteColour(texelFetch(captureColour, ivec2(result.window), 0).rgb);
+        reflection.window = result.window;
+    }
     else
+    {
         reflection.colour = skyColour(ray, dirEye);
+        reflection.window = vec2(-1.0);
+    }
     return reflection;
 }

@@ -41,8 +41,16 @@ float columnAt(Columns columns, int i)
     return min(columns.first + float(i) * columns.step, 1.0);
 }
 
+#if OSGWR_OUTPUT == OUTPUT_HIT
+int depthFetches = 0;
+#define COUNT_DEPTH_FETCH ++depthFetches;
+#else
+#define COUNT_DEPTH_FETCH
+#endif
+
 float capturedWindowZ(vec2 window)
 {
+    COUNT_DEPTH_FETCH
     return texelFetch(captureWindowZ, ivec2(window), 0).r;
 }
 

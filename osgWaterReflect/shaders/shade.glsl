@@ -1,4 +1,4 @@
-// The colour of one water pixel.
+// The colour of one water pixel, or what is measured there.
 
 #if OSGWR_OUTPUT == OUTPUT_REASON
 // The debug view's colours, by reason; the table stands in docs/how-it-works.md too.
@@ -25,7 +25,7 @@ vec3 facingNormal(vec3 normalSurface, vec3 toEye)
     return facing < 0.0 ? normalize(normal - facing * toEye) : normal;
 }
 
-vec3 shadeWater(vec3 p, vec2 planePlace)
+vec4 shadeWater(vec3 p, vec2 planePlace)
 {
     vec3 toEye = normalize(eyePointEye.xyz - eyePointEye.w * p);
     vec3 still = side * normalize(normalEyeFromSurface * vec3(0.0, 0.0, 1.0));
@@ -40,11 +40,17 @@ vec3 shadeWater(vec3 p, vec2 planePlace)
 #if OSGWR_OUTPUT == OUTPUT_WATER
     float eta = side > 0.0 ? refractiveIndex : 1.0 / refractiveIndex;
     float reflectance = fresnelReflectance(clamp(dot(normal, toEye), 0.0, 1.0), eta);
-    return mix(waterColour, reflection.colour, reflectance);
+    return vec4(mix(waterColour, reflection.colour, reflectance), 1.0);
 #elif OSGWR_OUTPUT == OUTPUT_REASON
-    return reasonColour(reflection.reason);
+    return vec4(reasonColour(reflection.reason), 1.0);
 #elif OSGWR_OUTPUT == OUTPUT_REFLECTION
-    return reflection.colour;
+    return vec4(reflection.colour, 1.0);
+#elif OSGWR_OUTPUT == OUTPUT_POINT
+    return vec4(p, -1.0);
+#elif OSGWR_OUTPUT == OUTPUT_NORMAL
+    return vec4(normal, -1.0);
+#elif OSGWR_OUTPUT == OUTPUT_HIT
+    return vec4(reflection.window, reflection.reason, depthFetches);
 #else
 #error OSGWR_OUTPUT is not one of OUTPUT_
 #endif

@@ -12,5 +12,5 @@ out vec4 fragmentColour;
 
 void main()
 {
-    fragmentColour = vec4(shadeWater(pointEye, place), 1.0);
+    fragmentColour = shadeWater(pointEye, place);
 }

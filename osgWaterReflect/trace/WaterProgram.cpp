@@ -16,8 +16,9 @@ osg::ref_ptr<osg::Program> osgWaterReflect::waterProgram(const WaveModel* waves)
 
     const std::string wavesShader = waves ? waves->getShaderName() : "waves_calm.glsl";
     const std::lock_guard<std::mutex> lock(mutex);
+    osg::observer_ptr<osg::Program>& shared = programs[wavesShader + ShaderReplacement::all()];
     osg::ref_ptr<osg::Program> program;
-    if (programs[wavesShader].lock(program)) return program;
+    if (shared.lock(program)) return program;
 
     program = new osg::Program;
     program->setName("osgWaterReflect " + wavesShader);
@@ -25,7 +26,7 @@ osg::ref_ptr<osg::Program> osgWaterReflect::waterProgram(const WaveModel* waves)
         new osg::Shader(osg::Shader::VERTEX, assembleShader("water.vert", wavesShader)));
     program->addShader(
         new osg::Shader(osg::Shader::FRAGMENT, assembleShader("water.frag", wavesShader)));
-    programs[wavesShader] = program;
+    shared = program;
     return program;
 }
 

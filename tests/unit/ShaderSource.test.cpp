@@ -101,3 +101,22 @@ TEST_CASE("every line of an assembled shader is numbered as in its own file")
             CHECK(pieces.size() == seen.size());
         }
 }
+
+// Falls when findPiece() asks the library's pieces first, or a replacement outlives its object.
+TEST_CASE("a shader piece is replaced for as long as its replacement lives")
+{
+    const std::string before = assembleShader("water.frag", "waves_calm.glsl");
+    CHECK(ShaderReplacement::all().empty());
+    {
+        const ShaderReplacement other("fresnel.glsl", "// another law\n");
+        const ShaderReplacement waves("waves_of_glass.glsl", "// new waves\n");
+        const std::string assembled = assembleShader("water.frag", "waves_of_glass.glsl");
+        CHECK(assembled.find("// another law") != std::string::npos);
+        CHECK(assembled.find("// new waves") != std::string::npos);
+        CHECK(assembled.find("float fresnelReflectance") == std::string::npos);
+        CHECK(ShaderReplacement::all().find("// another law") != std::string::npos);
+        CHECK_THROWS_AS(ShaderReplacement("fresnel.glsl", ""), std::runtime_error);
+    }
+    CHECK(assembleShader("water.frag", "waves_calm.glsl") == before);
+    CHECK(ShaderReplacement::all().empty());
+}
