@@ -1,11 +1,31 @@
-# Writes OUTPUT, a C++ file that defines the table of shader sources, from the files in SOURCES.
-set(content "// Written by shaders/EmbedShaders.cmake from the files beside it.\n")
-string(APPEND content "#include \"ShaderSource.h\"\n\n")
-string(APPEND content "const std::map<std::string, std::string> osgWaterReflect::embeddedShaders = {\n")
-foreach(source IN LISTS SOURCES)
-    get_filename_component(name "${source}" NAME)
-    file(READ "${source}" text)
-    string(APPEND content "    {\"${name}\", R\"glsl(${text})glsl\"},\n")
-endforeach()
-string(APPEND content "};\n")
-file(WRITE "${OUTPUT}" "${content}")
+# Shader files compiled into a program, as a C++ map of text by file name.
+#
+#   embed_shaders(output map header files...)
+#
+#     output  the C++ file to write
+#     map     its name, qualified: a const std::map<std::string, std::string>
+#     header  what declares it, as the C++ file includes it
+#
+# Run as a script, this file writes that C++ file.
+function(embed_shaders output map header)
+    add_custom_command(
+        OUTPUT "${output}"
+        COMMAND ${CMAKE_COMMAND} "-DSOURCES=${ARGN}" "-DOUTPUT=${output}" "-DMAP=${map}"
+                "-DHEADER=${header}" -P "${CMAKE_CURRENT_FUNCTION_LIST_FILE}"
+        DEPENDS ${ARGN} "${CMAKE_CURRENT_FUNCTION_LIST_FILE}"
+        COMMENT "Embedding the shaders of ${map}"
+        VERBATIM)
+endfunction()
+
+if(CMAKE_SCRIPT_MODE_FILE)
+    set(content "// Written by shaders/EmbedShaders.cmake from shader files.\n")
+    string(APPEND content "#include \"${HEADER}\"\n\n")
+    string(APPEND content "const std::map<std::string, std::string> ${MAP} = {\n")
+    foreach(source IN LISTS SOURCES)
+        get_filename_component(name "${source}" NAME)
+        file(READ "${source}" text)
+        string(APPEND content "    {\"${name}\", R\"glsl(${text})glsl\"},\n")
+    endforeach()
+    string(APPEND content "};\n")
+    file(WRITE "${OUTPUT}" "${content}")
+endif()
