@@ -1,0 +1,116 @@
+#include "HarnessWaves.h"
+
+#include "../methods/Methods.h"
+
+#include <osgWaterReflect/Check.h>
+#include <osgWaterReflect/shaders/ShaderSource.h>
+#include <osgWaterReflect/trace/Bindings.h>
+
+#include <osg/Math>
+#include <osg/io_utils>
+
+#include <cmath>
+#include <limits>
+
+using namespace osgwaterbench;
+using osgWaterReflect::expectPositive;
+using osgWaterReflect::refuse;
+
+namespace
+{
+
+const char* const SHADER = "waves_harness.glsl";
+
+// The names of that piece.
+const char* const WAVES = "bench_waves";
+const char* const WAVE_COUNT = "bench_waveCount";
+
+// [rad/m]
+osg::Vec2d waveVector(const HarnessWave& wave)
+{
+    return wave.direction * wave.waveNumber;
+}
+
+// [rad] at a place, reduced in double precision.
+double phaseAt(const HarnessWave& wave, const osg::Vec2d& place)
+{
+    return std::fmod(waveVector(wave) * place + wave.phase, 2.0 * osg::PI);
+}
+
+bool check(const HarnessWave& wave)
+{
+    const char* const member = "HarnessWaves::setWaves";
+    if (!(std::isfinite(wave.direction.x()) && std::isfinite(wave.direction.y())))
+        return refuse(member, "a finite direction", wave.direction);
+    if (!std::isfinite(wave.phase)) return refuse(member, "a finite phase", wave.phase);
+    if (!std::isfinite(wave.weight)) return refuse(member, "a finite weight", wave.weight);
+    return expectPositive("HarnessWaves::setWaves waveNumber", wave.waveNumber);
+}
+
+} // namespace
+
+// The library knows the piece from the first of these waves on.
+HarnessWaves::HarnessWaves()
+{
+    static const osgWaterReflect::ShaderReplacement piece(SHADER, benchShaders.at(SHADER));
+}
+
+HarnessWaves::HarnessWaves(const HarnessWaves& rhs, const osg::CopyOp& copyop) :
+    osgWaterReflect::WaveModel(rhs, copyop), _waves(rhs._waves), _slope(rhs._slope)
+{
+}
+
+bool HarnessWaves::setWaves(const std::vector<HarnessWave>& waves, double slope)
+{
+    if (waves.size() > MAX_WAVES)
+        return refuse("HarnessWaves::setWaves", "at most 8 waves", waves.size());
+    for (const HarnessWave& wave : waves)
+        if (!check(wave)) return false;
+    if (!(std::isfinite(slope) && slope >= 0.0))
+        return refuse("HarnessWaves::setWaves slope", "a finite value of at least 0", slope);
+    _waves = waves;
+    _slope = slope;
+    return true;
+}
+
+// Cosines of different wave vectors are uncorrelated, and the mean square of each is a half.
+double HarnessWaves::getRmsSlope() const
+{
+    double sum = 0.0;
+    for (const HarnessWave& wave : _waves)
+        sum += 0.5 * wave.weight * wave.weight * wave.direction.length2();
+    return _slope * std::sqrt(sum);
+}
+
+osg::Vec3d HarnessWaves::getNormal(const osg::Vec2d& place, double) const
+{
+    osg::Vec2d slope;
+    for (const HarnessWave& wave : _waves)
+        slope += wave.direction * (_slope * wave.weight * std::cos(phaseAt(wave, place)));
+    osg::Vec3d normal(-slope.x(), -slope.y(), 1.0);
+    normal.normalize();
+    return normal;
+}
+
+double HarnessWaves::getShortestLength() const
+{
+    return std::numeric_limits<double>::infinity();
+}
+
+std::string HarnessWaves::getShaderName() const
+{
+    return SHADER;
+}
+
+void HarnessWaves::apply(osg::StateSet& stateSet, const osg::Vec2d& anchor, double) const
+{
+    osg::Uniform* array = stateSet.getOrCreateUniform(WAVES, osg::Uniform::FLOAT_VEC4, MAX_WAVES);
+    for (unsigned int i = 0; i < _waves.size(); ++i)
+    {
+        const HarnessWave& wave = _waves[i];
+        const osg::Vec2d k = waveVector(wave);
+        array->setElement(i, osg::Vec4(k.x(), k.y(), _slope * wave.weight / wave.waveNumber,
+                                       phaseAt(wave, anchor)));
+    }
+    osgWaterReflect::bindings::set(stateSet, WAVE_COUNT, static_cast<int>(_waves.size()));
+}
