@@ -1,0 +1,24 @@
+// The plain way that most screen-space reflections start from, for perspective views: one pixel a
+// column (row), and a hit where the ray at the column's centre is behind that pixel by no more than
+// the thickness, in depths along the view's axis. Background is nothing to hit.
+#include "answer.glsl"
+#include "image_columns.glsl"
+#include "eye_depth.glsl"
+
+Reflection traceReflection(vec3 originEye, vec3 dirEye)
+{
+    // From the pixel's own place on.
+    ImageRay ray = projectRay(originEye, dirEye);
+    vec4 startClip = captureClipFromEye * vec4(originEye, 1.0);
+    ImageColumns columns = columnsBetween(windowFromClip(startClip).xy, ray.end.xy);
+    for (int i = 0; i < columns.count; ++i)
+    {
+        vec2 window = crossingAt(columns, i);
+        float windowZ = capturedWindowZ(window);
+        float rayDepth =
+            1.0 / mix(1.0 / startClip.w, ray.inverseDepth.y, shareAt(columns, i));
+        float behind = rayDepth - eyeDepthAt(windowZ);
+        if (windowZ < 1.0 && behind >= 0.0 && behind <= thickness) return answerCaptured(window);
+    }
+    return answerSky(ray, dirEye, ray.endReason);
+}

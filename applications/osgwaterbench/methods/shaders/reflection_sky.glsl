@@ -1,0 +1,7 @@
+// No search at all: every ray sees the sky.
+#include "answer.glsl"
+
+Reflection traceReflection(vec3 originEye, vec3 dirEye)
+{
+    return answerSky(projectRay(originEye, dirEye), dirEye, REASON_SKY);
+}
