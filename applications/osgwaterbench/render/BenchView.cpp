@@ -1,0 +1,178 @@
+#include "BenchView.h"
+
+#include "../methods/NotCaptured.h"
+
+#include <osgWaterReflect/capture/Capture.h>
+#include <osgWaterReflect/offscreen/OffscreenContext.h>
+
+#include <osg/Geode>
+#include <osgUtil/RenderStage>
+#include <osgViewer/Renderer>
+
+#include <stdexcept>
+
+using namespace osgwaterbench;
+using osgWaterReflect::Capture;
+using osgWaterReflect::WaterSurface;
+
+namespace
+{
+
+// [m] A wide range: OSG fits it to what is in view.
+const double Z_NEAR = 0.1;
+const double Z_FAR = 1000.0;
+
+osg::Texture2D* windowZTexture(const osg::Camera& camera)
+{
+    const auto found = camera.getBufferAttachmentMap().find(osg::Camera::DEPTH_BUFFER);
+    return found == camera.getBufferAttachmentMap().end()
+               ? nullptr
+               : dynamic_cast<osg::Texture2D*>(found->second._texture.get());
+}
+
+osg::ref_ptr<osg::Image> readWindowZ(osg::State& state, const osg::Texture2D& texture)
+{
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(texture.getTextureWidth(), texture.getTextureHeight(), 1, GL_LUMINANCE,
+                         GL_FLOAT);
+    state.applyTextureAttribute(0, &texture);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, image->data());
+    return image;
+}
+
+// The camera of the capture among the stages that are rendered before a view.
+osg::Camera* captureCameraIn(osgUtil::RenderStage& stage)
+{
+    for (const auto& before : stage.getPreRenderList())
+    {
+        osg::Camera* const camera = before.second->getCamera();
+        if (camera && camera->getName() == Capture::CAMERA_NAME) return camera;
+    }
+    return nullptr;
+}
+
+} // namespace
+
+BenchView::BenchView(const BenchScene& scene, const glm::ivec2& size, Purpose purpose) :
+    _size(size), _purpose(purpose), _stillWater(osg::Vec3d(0, 0, 1), -scene.waterLevel)
+{
+    const osg::ref_ptr<osg::GraphicsContext> context =
+        osgWaterReflect::createOffscreenContext(size.x, size.y);
+    if (!context)
+        throw std::runtime_error("expected an offscreen context of " + std::to_string(size.x) +
+                                 "x" + std::to_string(size.y) + ", got none");
+    osg::Camera& camera = *_viewer.getCamera();
+    camera.setGraphicsContext(context);
+    camera.setViewport(0, 0, size.x, size.y);
+    camera.setDrawBuffer(GL_FRONT); // a context without a window has one buffer
+    camera.setReadBuffer(GL_FRONT);
+    camera.setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
+    camera.setViewMatrixAsLookAt(scene.eye, scene.centre, osg::Vec3d(0, 0, 1));
+    camera.setProjectionMatrixAsPerspective(scene.fovyDegrees, static_cast<double>(size.x) / size.y,
+                                            Z_NEAR, Z_FAR);
+    if (purpose == Purpose::MEASURE)
+    {
+        _picture = new osg::Image;
+        _picture->allocateImage(size.x, size.y, 1, GL_RGBA, GL_FLOAT);
+        _picture->setInternalTextureFormat(GL_RGBA32F_ARB);
+        camera.attach(osg::Camera::COLOR_BUFFER0, _picture);
+    }
+    else
+        camera.attach(osg::Camera::COLOR_BUFFER0, GL_RGBA8);
+    camera.attach(osg::Camera::DEPTH_BUFFER, GL_DEPTH_COMPONENT24);
+
+    const GLint mirrorFormat = purpose == Purpose::MEASURE ? GL_RGBA32F_ARB : GL_RGBA8;
+    _bed.water = scene.water;
+    _bed.scene = new osg::Group;
+    _bed.scene->addChild(scene.scene);
+    _bed.mirror = new MirrorCamera(size.x, size.y, mirrorFormat);
+    _bed.mirror->addChild(scene.scene);
+    _bed.mirror->setNodeMask(0u);
+    _waters->addChild(scene.water);
+
+    const osg::ref_ptr<osg::Group> root = new osg::Group;
+    root->addChild(_bed.mirror);
+    root->addChild(_bed.scene);
+    root->addChild(_waters);
+    if (purpose == Purpose::TIME)
+    {
+        const osg::ref_ptr<osg::Group> marks = new osg::Group;
+        marks->addCullCallback(new NotCaptured);
+        marks->addChild(_clock->createWaterMark());
+        root->addChild(marks);
+        _clock->watchImage(*_bed.mirror);
+        _clock->watchFrame(camera);
+    }
+    _viewer.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
+    _viewer.setKeyEventSetsDone(0);
+    _viewer.setSceneData(root);
+    _viewer.realize();
+    context->makeCurrent();
+    _clock->setWay(StageClock::wayOfCurrentContext());
+}
+
+BenchView::~BenchView() = default;
+
+void BenchView::setWaves(osgWaterReflect::WaveModel* waves)
+{
+    _bed.water->setWaves(waves);
+}
+
+void BenchView::setWaters(const Waters& waters)
+{
+    _waters->removeChildren(0, _waters->getNumChildren());
+    for (const auto& water : waters)
+        _waters->addChild(water);
+}
+
+void BenchView::frame()
+{
+    if (_method.mirror) _bed.mirror->follow(camera(), _stillWater, Z_FAR);
+    _viewer.frame(0.0);
+}
+
+const osg::Image& BenchView::render(WaterSurface::DebugView debugView)
+{
+    const MethodScope scope(_method, _bed);
+    _bed.water->setDebugView(debugView);
+    frame();
+    return *_picture;
+}
+
+osg::Camera* BenchView::findCaptureCamera()
+{
+    auto& renderer = dynamic_cast<osgViewer::Renderer&>(*_viewer.getCamera()->getRenderer());
+    for (unsigned int i = 0; i < 2; ++i)
+        if (osg::Camera* const camera =
+                captureCameraIn(*renderer.getSceneView(i)->getRenderStage()))
+            return camera;
+    return nullptr;
+}
+
+SearchedImage BenchView::searchedImage()
+{
+    osg::Camera* const searched = _method.mirror ? _bed.mirror.get() : findCaptureCamera();
+    const osg::Texture2D* const windowZ = searched ? windowZTexture(*searched) : nullptr;
+    if (!windowZ) throw std::runtime_error("expected a capture in the frame, got none");
+    osg::GraphicsContext& context = *_viewer.getCamera()->getGraphicsContext();
+    context.makeCurrent();
+    return {readWindowZ(*context.getState(), *windowZ), searched->getViewMatrix(),
+            searched->getProjectionMatrix()};
+}
+
+FrameTime BenchView::time()
+{
+    const MethodScope scope(_method, _bed);
+    if (!_captureIsWatched)
+    {
+        // The first frame with water makes the capture.
+        frame();
+        osg::Camera* const capture = findCaptureCamera();
+        if (capture) _clock->watchImage(*capture);
+        _captureIsWatched = capture != nullptr;
+    }
+    _clock->start();
+    frame();
+    return _clock->read();
+}

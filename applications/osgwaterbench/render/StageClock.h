@@ -1,0 +1,82 @@
+#ifndef OSGWATERBENCH_STAGECLOCK_H
+#define OSGWATERBENCH_STAGECLOCK_H
+
+#include <osg/Camera>
+#include <osg/Drawable>
+#include <osg/GLExtensions>
+
+#include <vector>
+
+namespace osgwaterbench
+{
+
+/// Where the time of a frame goes [ms].
+struct FrameTime
+{
+    double image = 0.0; ///< rendering the images that reflections are looked up in
+    double trace = 0.0; ///< drawing the water: its vertices, the search and the shading
+    double frame = 0.0; ///< everything, cull and draw, until the last pixel is done
+};
+
+/// Takes the time at marks between the stages of a frame.
+///
+/// On a software rasteriser, whose timer queries are not to be trusted, everything drawn so far is
+/// finished at each mark; on a GPU it is asked for its own time there, and nothing waits.
+class StageClock : public osg::Referenced
+{
+public:
+    enum class Way
+    {
+        FINISH,    ///< glFinish and the CPU's clock
+        TIMESTAMPS ///< GL_TIMESTAMP queries
+    };
+
+    /// What suits the context that is current.
+    static Way wayOfCurrentContext();
+
+    void setWay(Way way) { _way = way; }
+
+    /// The image of a camera counts as one that reflections are looked up in.
+    void watchImage(osg::Camera& camera);
+
+    /// To be drawn between what is opaque and the water.
+    osg::ref_ptr<osg::Drawable> createWaterMark();
+
+    /// The view's camera, in which nothing is drawn after the water.
+    void watchFrame(osg::Camera& camera);
+
+    /// To be called before each frame.
+    void start();
+
+    /// Of the frame that has just been rendered.
+    FrameTime read() const;
+
+private:
+    enum class Mark
+    {
+        IMAGE_BEGIN,
+        IMAGE_END,
+        WATER_BEGIN,
+        FRAME_END
+    };
+    struct MarkedTime
+    {
+        Mark mark;
+        double time;  // [ms]
+        GLuint query; // 0 where the time is known
+    };
+    class MarkCallback;
+    class MarkDrawable;
+
+    void take(Mark mark, osg::RenderInfo& renderInfo);
+
+    Way _way = Way::FINISH;
+    double _started = 0.0; // [ms] of the CPU's clock
+    double _ended = 0.0;
+    std::vector<MarkedTime> _marks;
+    osg::ref_ptr<osg::GLExtensions> _gl;
+};
+
+} // namespace osgwaterbench
+
+#endif
