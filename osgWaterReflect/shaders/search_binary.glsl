@@ -39,8 +39,12 @@ TraceResult searchImage(ImageRay ray)
     bool hit = found && behind <= thick + step * abs(extent.z);
     float firstShare = surfaceFront - surfaceBehind > thick ? 0.5 : 2.0;
 
+    // Behind something else a ray may have come out again.
+    float endZ = capturedWindowZ(ray.end.xy);
+    bool endsBehind = found && ray.end.z >= endZ && endZ < 1.0;
+
     TraceResult result;
-    result.reason = hit ? REASON_HIT : found ? REASON_BEHIND : ray.endReason;
+    result.reason = hit ? REASON_HIT : endsBehind ? REASON_BEHIND : ray.endReason;
     result.s = crossing(sBehind, step, before, behind, firstShare);
     result.hidden = behind;
     result.window = ray.start.xy + result.s * extent.xy;

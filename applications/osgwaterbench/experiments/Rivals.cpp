@@ -17,7 +17,7 @@ namespace
 
 // How strongly the mirrored image may be bent: from not at all to what is right for things
 // infinitely far away, and beyond.
-const double DISTORTIONS[] = {0.0, 0.125, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0};
+const double DISTORTIONS[] = {0.0, 0.1, 0.2, 0.3, 0.45, 0.7, 1.0, 1.5, 2.5};
 // [m] The same at this distance from the eye, where it varies with it.
 const double DISTORTION_DISTANCE = 10.0;
 
