@@ -1,0 +1,159 @@
+"""What the template says in words, checked against the data: a claim that does not hold stops the
+report, until either the words or the data are mended."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import bench_data as bench
+import derived
+import tables
+from bench_data import BenchData, DataError, right_percent
+from derived import mean_right, of_scenes, relative_cost
+
+WITH_BRANCH = {"branch": "lake", "boxes-branch": "boxes"}  # and the same without
+STRIDES = (bench.DEFAULT, "sequential, stride 2", "sequential, stride 4", "sequential, stride 8")
+THICKNESSES = ("sequential, thickness 0.1", bench.DEFAULT, "sequential, thickness 2.0")
+MOST_GAIN = 1.0  # [percentage points] what "no other setting" may gain on the default
+
+
+def right(data: BenchData, method: str, slope: float = bench.MAIN_SLOPE) -> float:
+    return mean_right(of_scenes(data, data.accuracy, method, slope))
+
+
+def rival_right(data: BenchData, method: str, slope: float = bench.MAIN_SLOPE) -> float:
+    return mean_right(of_scenes(data, data.rivals, method, slope))
+
+
+def cost(data: BenchData, method: str) -> float:
+    defaults = of_scenes(data, data.accuracy, bench.DEFAULT)
+    return relative_cost(of_scenes(data, data.accuracy, method), defaults)
+
+
+def rises(values: list[float]) -> bool:
+    return all(a <= b for a, b in pairwise(values))
+
+
+def falls(values: list[float]) -> bool:
+    return rises(values[::-1])
+
+
+def moving(data: BenchData) -> list[float]:
+    return [slope for slope in data.slopes if slope != bench.CALM]
+
+
+def default_is_best(data: BenchData) -> bool:
+    best = max(right(data, method) for method in tables.ADVICE)
+    return best <= right(data, bench.DEFAULT) + MOST_GAIN
+
+
+def longer_strides_trade(data: BenchData) -> bool:
+    return falls([right(data, method) for method in STRIDES]) and falls(
+        [cost(data, method) for method in STRIDES]
+    )
+
+
+def binary_is_cheap_and_misses(data: BenchData) -> bool:
+    return (
+        cost(data, "binary") < cost(data, "sequential, stride 4")
+        and right(data, "binary") < right(data, bench.DEFAULT)
+    )
+
+
+def binary_loses_more_behind_a_branch(data: BenchData) -> bool:
+    def loss(scene: str) -> float:
+        rows = [tables.main_row(data, scene, method) for method in (bench.DEFAULT, "binary")]
+        return right_percent(rows[0]) - right_percent(rows[1])
+
+    return all(loss(scene) > loss(plain) for scene, plain in WITH_BRANCH.items())
+
+
+def thickness_trades(data: BenchData) -> bool:
+    rows = [of_scenes(data, data.accuracy, method) for method in THICKNESSES]
+    branch = [tables.main_row(data, "branch", method) for method in THICKNESSES]
+    return falls([derived.pooled_outcome(r, "visible", "missed") for r in rows]) and rises(
+        [bench.outcome_percent(row, "sky", "false_hit") for row in branch]
+    )
+
+
+def smaller_captures_are_cheaper(data: BenchData) -> bool:
+    scales = ("sequential, capture scale 0.50", "sequential, capture scale 0.25")
+    return falls([cost(data, method) for method in (bench.DEFAULT, *scales)])
+
+
+def paper_is_less_right(data: BenchData) -> bool:
+    return all(
+        rival_right(data, "paper", slope) < rival_right(data, bench.DEFAULT, slope)
+        for slope in data.slopes
+    )
+
+
+def paper_fails_behind_a_branch(data: BenchData) -> bool:
+    """By ten points at least."""
+    return all(
+        right_percent(tables.main_row(data, scene, "paper")) + 10.0
+        < right_percent(tables.main_row(data, scene, bench.DEFAULT))
+        for scene in WITH_BRANCH
+    )
+
+
+def mirror_is_unbeaten_when_calm(data: BenchData) -> bool:
+    return all(
+        rival_right(data, bench.MIRROR, bench.CALM) >= rival_right(data, method, bench.CALM)
+        for method in bench.RIVALS
+    )
+
+
+def trace_beats_mirror_on_waves(data: BenchData) -> bool:
+    return all(
+        rival_right(data, bench.DEFAULT, slope) > rival_right(data, bench.MIRROR, slope)
+        for slope in moving(data)
+    )
+
+
+def mirror_sees_what_the_picture_lacks(data: BenchData) -> bool:
+    """On calm water nearly all of it, and rightly."""
+
+    def shown(method: str, slope: float) -> float:
+        rows = of_scenes(data, data.rivals, method, slope)
+        return derived.pooled_right(rows, bench.NOT_IN_IMAGE)
+
+    return shown(bench.MIRROR, bench.CALM) > 90.0 and all(
+        shown(bench.MIRROR, slope) > shown(bench.DEFAULT, slope)
+        for slope in (bench.CALM, bench.MAIN_SLOPE)
+    )
+
+
+def exponents_are_as_expected(data: BenchData) -> bool:
+    def trace(method: str) -> float:
+        return tables.table1_exponent(data, bench.CALM, method, "trace_ms")
+
+    def frame(method: str) -> float:
+        return tables.table1_exponent(data, bench.CALM, method, "frame_ms")
+
+    return trace("binary") < trace(bench.DEFAULT) <= 1.5 and all(
+        frame(method) < trace(method) for method in (bench.DEFAULT, "binary")
+    )
+
+
+CLAIMS = {
+    "no other setting is right in more pixels by over one point": default_is_best,
+    "longer strides cost less and are less right": longer_strides_trade,
+    "the binary search costs less than stride 4, and is less right": binary_is_cheap_and_misses,
+    "the binary search loses more where something hangs ahead": binary_loses_more_behind_a_branch,
+    "thin: fewer false hits on the sky (branch); thick: fewer misses": thickness_trades,
+    "a smaller captured image costs less": smaller_captures_are_cheaper,
+    "the paper's method is less right at every slope": paper_is_less_right,
+    "the paper's method fails where something hangs ahead": paper_fails_behind_a_branch,
+    "nothing beats the mirrored camera on calm water": mirror_is_unbeaten_when_calm,
+    "on waves the trace is right more often than the mirrored camera": trace_beats_mirror_on_waves,
+    "the mirrored camera shows more of what the picture lacks": mirror_sees_what_the_picture_lacks,
+    "the trace grows up to N^1.5, binary less, frames less": exponents_are_as_expected,
+}
+
+
+def check(data: BenchData) -> None:
+    broken = [words for words, holds in CLAIMS.items() if not holds(data)]
+    if broken:
+        listed = "".join(f"\n  {words}" for words in broken)
+        raise DataError(f"{data.directory}: the text says what these data contradict:{listed}")
