@@ -20,6 +20,15 @@ MARGINS = Box(left=62, bottom=48, right=14, top=30)  # [pixels] of a panel
 LEAST_PERCENT = 0.01  # shown of wrong pixels, on a logarithmic axis
 PADDING = 0.10  # of a logarithmic axis, on either side
 
+# Leading digits of the ticks, from few to many.
+TICK_DIGITS = (
+    (1,),
+    (1, 2, 5),
+    (1, 1.5, 2, 3, 5, 7),
+    (1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 7, 8, 9),
+    tuple(half / 2.0 for half in range(2, 20)),
+)
+
 OWN, OTHERS, GREY = "#0072b2", "#d55e00", "#888888"
 STAGES = {
     "image_ms": ("captured image", "#e69f00"),
@@ -54,7 +63,7 @@ class Axis:
     def ticks(self) -> list[float]:
         """As few round numbers as tell the scale."""
         decades = range(math.floor(math.log10(self.low)), math.ceil(math.log10(self.high)) + 1)
-        for digits in ((1,), (1, 2, 5), (1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 7, 8, 9)):
+        for digits in TICK_DIGITS:
             ticks = [digit * 10.0**decade for decade in decades for digit in digits]
             ticks = [tick for tick in ticks if self.low <= tick <= self.high]
             if len(ticks) >= 4:

@@ -79,7 +79,7 @@ ADVICE = {
     "sequential, stride 2": ("`stride` 2", "time"),
     "sequential, stride 4": ("`stride` 4", "more time"),
     "sequential, stride 8": ("`stride` 8", "still more"),
-    "sequential, thickness 0.1": ("`thickness` 0.1", "boughs, railings ahead of the water"),
+    "sequential, thickness 0.1": ("`thickness` 0.1", "thin things ahead of the water"),
     "sequential, thickness 2.0": ("`thickness` 2", "large, deep things only"),
     "sequential, capture scale 0.50": ("`captureScale` 0.5", "time, in large pictures"),
     "sequential, capture scale 0.25": ("`captureScale` 0.25", "more time, in large pictures"),
