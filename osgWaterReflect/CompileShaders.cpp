@@ -3,6 +3,7 @@
 #include <osgWaterReflect/TrochoidalWaves>
 #include <osgWaterReflect/WaterSurface>
 
+#include "pyramid/Pyramid.h"
 #include "trace/WaterProgram.h"
 
 #include <osg/GraphicsContext>
@@ -15,6 +16,8 @@ CompileShaders::CompileShaders() : osg::GraphicsOperation("CompileShaders", fals
     _waveModels = {nullptr, TrochoidalWaves::createBreeze(1.0, 0.1)};
     for (const osg::ref_ptr<WaveModel>& waves : _waveModels)
         _programs.push_back(waterProgram(waves.get()));
+    for (const osg::ref_ptr<osg::Program>& program : Pyramid::programs())
+        _programs.push_back(program);
 }
 
 // Linking is only a part: drivers leave the rest to the first draw, for the formats and the state
@@ -45,7 +48,7 @@ void CompileShaders::operator()(osg::GraphicsContext* context)
 
     osg::State& state = *context->getState();
     for (const osg::ref_ptr<WaveModel>& waves : _waveModels)
-        for (Search search : {Search::SEQUENTIAL, Search::BINARY})
+        for (Search search : {Search::SEQUENTIAL, Search::BINARY, Search::HIERARCHICAL})
             for (const osg::ref_ptr<osg::TextureCubeMap>& cubeMap : {noSky, sky})
                 for (auto debugView :
                      {WaterSurface::DebugView::NONE, WaterSurface::DebugView::REASON,

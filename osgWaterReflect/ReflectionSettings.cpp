@@ -6,7 +6,7 @@ using namespace osgWaterReflect;
 
 bool ReflectionSettings::check() const
 {
-    if (search != Search::SEQUENTIAL && search != Search::BINARY)
+    if (search != Search::SEQUENTIAL && search != Search::BINARY && search != Search::HIERARCHICAL)
         return refuse("ReflectionSettings::search", "a member of Search", static_cast<int>(search));
     if (!expectPositive("ReflectionSettings::thickness", thickness)) return false;
     if (!expectRange("ReflectionSettings::stride", stride, 1, 64)) return false;

@@ -29,7 +29,10 @@ void ViewRecord::draw(osgUtil::CullVisitor& view, const WaterSurface& water,
 {
     CameraCapture& entry = captureFor(*view.getCurrentCamera());
     entry.capture->require(view);
-    passFor(entry, water, sheet).draw(view, *entry.capture, water, sheet);
+    const bool hierarchical = water.getReflection().search == Search::HIERARCHICAL;
+    if (hierarchical) entry.pyramid->require(view, *entry.capture);
+    const Searched searched = {*entry.capture, hierarchical ? entry.pyramid.get() : nullptr};
+    passFor(entry, water, sheet).draw(view, searched, water, sheet);
 }
 
 ViewRecord::CameraCapture& ViewRecord::captureFor(osg::Camera& camera)
@@ -38,7 +41,7 @@ ViewRecord::CameraCapture& ViewRecord::captureFor(osg::Camera& camera)
     _captures.remove_if([](const CameraCapture& entry) { return !entry.camera.valid(); });
     for (CameraCapture& entry : _captures)
         if (entry.camera == &camera) return entry;
-    _captures.push_back({&camera, new Capture, {}});
+    _captures.push_back({&camera, new Capture, new Pyramid, {}});
     return _captures.back();
 }
 
@@ -80,6 +83,7 @@ void ViewRecord::release(const WaterSurface& water, osg::State* state)
 void ViewRecord::releaseGLObjects(const CameraCapture& entry, osg::State* state)
 {
     entry.capture->releaseGLObjects(state);
+    entry.pyramid->releaseGLObjects(state);
     for (const DrawnSheet& drawn : entry.sheets)
         drawn.pass->releaseGLObjects(state);
 }
@@ -97,6 +101,7 @@ void ViewRecord::resizeGLObjectBuffers(unsigned int maxSize)
     for (CameraCapture& entry : _captures)
     {
         entry.capture->resizeGLObjectBuffers(maxSize);
+        entry.pyramid->resizeGLObjectBuffers(maxSize);
         for (DrawnSheet& drawn : entry.sheets)
             drawn.pass->resizeGLObjectBuffers(maxSize);
     }

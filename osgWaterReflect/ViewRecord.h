@@ -2,6 +2,7 @@
 #define OSGWATERREFLECT_VIEWRECORD_H
 
 #include "capture/Capture.h"
+#include "pyramid/Pyramid.h"
 #include "trace/SheetPass.h"
 
 #include <osg/observer_ptr>
@@ -12,8 +13,8 @@
 namespace osgWaterReflect
 {
 
-/// All that is held for the water of one view: a capture for each of its cameras, and with it a
-/// pass for each sheet of water that the camera sees.
+/// All that is held for the water of one view: a capture for each of its cameras with its pyramid,
+/// and a pass for each sheet of water that the camera sees.
 ///
 /// It is attached to the view's CullVisitor and lives as long. (A view that draws one frame while
 /// it culls the next has two, and so has each eye in stereo.) Only that visitor's thread draws;
@@ -60,6 +61,7 @@ private:
     {
         osg::observer_ptr<osg::Camera> camera;
         osg::ref_ptr<Capture> capture;
+        osg::ref_ptr<Pyramid> pyramid; // its images are made when it is first required
         std::list<DrawnSheet> sheets;
     };
 

@@ -18,7 +18,8 @@ struct Named
 
 constexpr Named<osgWaterReflect::Search> SEARCHES[] = {
     {"sequential", osgWaterReflect::Search::SEQUENTIAL},
-    {"binary", osgWaterReflect::Search::BINARY}};
+    {"binary", osgWaterReflect::Search::BINARY},
+    {"hierarchical", osgWaterReflect::Search::HIERARCHICAL}};
 
 constexpr Named<osgWaterReflect::WaterSurface::DebugView> DEBUG_VIEWS[] = {
     {"none", osgWaterReflect::WaterSurface::DebugView::NONE},

@@ -6,6 +6,7 @@
 // The axes of variation, one enumerated define each.
 #define SEARCH_SEQUENTIAL 1
 #define SEARCH_BINARY 2
+#define SEARCH_HIERARCHICAL 3
 #define SKY_CAPTURED 1
 #define SKY_CUBE_MAP 2
 #define OUTPUT_WATER 1
@@ -30,6 +31,19 @@ uniform vec3 osgwr_clearColour;
 #define captureDepthScale osgwr_captureDepthScale
 #define capturePixelExtent osgwr_capturePixelExtent
 #define clearColour osgwr_clearColour
+
+// The capture's pyramid: what its cells hold, and what the passes read that build it
+// (pyramid/Pyramid.h).
+#define CELL 4          // [pixels] side of the smallest cells
+#define CELLS_MERGED 8  // side of a larger cell, in cells of the level below
+uniform sampler2D osgwr_pyramid;
+uniform sampler2D osgwr_pyramidSource;
+uniform sampler2D osgwr_pyramidMiddle;
+uniform sampler2D osgwr_pyramidLarge;
+#define pyramid osgwr_pyramid
+#define pyramidSource osgwr_pyramidSource
+#define pyramidMiddle osgwr_pyramidMiddle
+#define pyramidLarge osgwr_pyramidLarge
 
 // The view.
 uniform vec4 osgwr_eyePointEye;          // centre of projection, homogeneous: (0, 0, 0, 1) or (direction, 0)

@@ -18,7 +18,7 @@ struct Columns
     int count;
 };
 
-Columns columnsOf(ImageRay ray)
+Columns columnsOf(ImageRay ray, float pixelsPerStep)
 {
     vec2 extent = ray.end.xy - ray.start.xy;
     bool alongX = abs(extent.x) >= abs(extent.y);
@@ -30,8 +30,8 @@ Columns columnsOf(ImageRay ray)
                                          : start - ceil(start - 0.5) + 0.5;
     Columns columns;
     columns.first = toCentre / length;
-    columns.step = stride / length;
-    columns.count = int(max(length - toCentre, 0.0) / stride) + 2;
+    columns.step = pixelsPerStep / length;
+    columns.count = int(max(length - toCentre, 0.0) / pixelsPerStep) + 2;
     return columns;
 }
 
@@ -100,8 +100,55 @@ float crossing(float s, float step, float before, float behind, float firstShare
     return clamp(s - step * clamp(back, -2.0, firstShare), 0.0, 1.0);
 }
 
+// What a search by columns finds at one where the ray has reached the surface, having been in front
+// of what the column before showed.
+struct Meeting
+{
+    bool hit;
+    float thick;          // of the surface [windowZ]
+    float jump;           // of the surface toward the eye, from the column before [windowZ]
+};
+
+// A hit is no further behind than the surface's thickness. Where the surface has just jumped toward
+// the eye, as at the edge of something in front of the ray, it must be reached within these two
+// columns or just behind that edge: else the ray passes.
+//   previousZ  of the surface at the column before; 0 where there was none: no jump
+//   behind     depth of the ray behind the surface [windowZ]
+//   stepZ      by how much the ray's windowZ changes from column to column
+Meeting meetSurface(float surfaceZ, float previousZ, float behind, float stepZ, float inverseDepth)
+{
+    Meeting meeting;
+    meeting.thick = thicknessWindowZ(inverseDepth);
+    meeting.jump = previousZ - surfaceZ;
+    float edge = min(pixelsWindowZ(EDGE_DEPTH, inverseDepth), meeting.thick);
+    meeting.hit = behind <= (meeting.jump > meeting.thick ? edge + stepZ
+                                                          : meeting.thick + 0.5 * stepZ);
+    return meeting;
+}
+
+// The place of a hit. A surface that does not jump is met between these two columns, and between
+// their pixels.
+//   sBefore, s      at the two columns
+//   before, behind  depth of the ray behind the surface there [windowZ]
+float placeOfHit(ImageRay ray, Meeting meeting, float sBefore, float s, float before, float behind)
+{
+    float firstShare = 0.5;
+    if (meeting.jump <= meeting.thick)
+    {
+        vec3 extent = ray.end - ray.start;
+        vec3 window = ray.start + s * extent;
+        vec3 windowBefore = ray.start + sBefore * extent;
+        behind = window.z - surfaceBetween(window.xy, extent.xy, meeting.thick);
+        before = windowBefore.z - surfaceBetween(windowBefore.xy, extent.xy, meeting.thick);
+        firstShare = 2.0;
+    }
+    return crossing(s, s - sBefore, before, behind, firstShare);
+}
+
 #if OSGWR_SEARCH == SEARCH_SEQUENTIAL
 #include "search_sequential.glsl"
+#elif OSGWR_SEARCH == SEARCH_HIERARCHICAL
+#include "search_hierarchical.glsl"
 #elif OSGWR_SEARCH == SEARCH_BINARY
 #include "search_binary.glsl"
 #else

@@ -20,6 +20,11 @@ constexpr const char* CAPTURE_DEPTH_SCALE = "osgwr_captureDepthScale";
 constexpr const char* CAPTURE_PIXEL_EXTENT = "osgwr_capturePixelExtent";
 constexpr const char* CLEAR_COLOUR = "osgwr_clearColour";
 
+constexpr const char* PYRAMID = "osgwr_pyramid";
+constexpr const char* PYRAMID_SOURCE = "osgwr_pyramidSource";
+constexpr const char* PYRAMID_MIDDLE = "osgwr_pyramidMiddle";
+constexpr const char* PYRAMID_LARGE = "osgwr_pyramidLarge";
+
 constexpr const char* EYE_POINT_EYE = "osgwr_eyePointEye";
 constexpr const char* WORLD_FROM_EYE = "osgwr_worldFromEye";
 
@@ -41,6 +46,8 @@ constexpr const char* WAVE_RISE = "osgwr_waveRise";
 constexpr unsigned int UNIT_CAPTURE_COLOUR = 0;
 constexpr unsigned int UNIT_CAPTURE_WINDOW_Z = 1;
 constexpr unsigned int UNIT_SKY = 2;
+constexpr unsigned int UNIT_PYRAMID = 3;
+constexpr unsigned int NUM_UNITS = 4;
 
 /// Sets a uniform that nothing above in the scene graph may override.
 template <typename Value>

@@ -46,6 +46,15 @@ SheetPass::SheetPass() : _stateSet(new osg::StateSet)
     bindings::set(*_stateSet, bindings::CAPTURE_WINDOW_Z,
                   static_cast<int>(bindings::UNIT_CAPTURE_WINDOW_Z));
     bindings::set(*_stateSet, bindings::SKY, static_cast<int>(bindings::UNIT_SKY));
+    bindings::set(*_stateSet, bindings::PYRAMID, static_cast<int>(bindings::UNIT_PYRAMID));
+}
+
+void SheetPass::setPyramid(const Pyramid* pyramid)
+{
+    if (pyramid)
+        _stateSet->setTextureAttribute(bindings::UNIT_PYRAMID, pyramid->cells(), ON);
+    else
+        _stateSet->removeTextureAttribute(bindings::UNIT_PYRAMID, osg::StateAttribute::TEXTURE);
 }
 
 void SheetPass::setCapture(const Capture& capture)
@@ -124,8 +133,8 @@ void SheetPass::setView(const SheetView& view, const glm::dmat4& eyeFromWorld,
     bindings::set(*_stateSet, bindings::SIDE, heightOfEye < 0.0 ? -1.0f : 1.0f);
 }
 
-void SheetPass::draw(osgUtil::CullVisitor& view, const Capture& capture, const WaterSurface& water,
-                     const StillWater& sheet)
+void SheetPass::draw(osgUtil::CullVisitor& view, const Searched& searched,
+                     const WaterSurface& water, const StillWater& sheet)
 {
     const WaveModel* waves = water.getWaves();
     const double amplitude = waves ? waves->getAmplitude() : 0.0;
@@ -140,7 +149,8 @@ void SheetPass::draw(osgUtil::CullVisitor& view, const Capture& capture, const W
     sheetView.shortestEdge = waves ? waves->getShortestLength() / EDGES_PER_WAVE : 0.0;
 
     const Mesh mesh = prepareMesh(water, sheet, sheetView, time);
-    setCapture(capture);
+    setCapture(searched.capture);
+    setPyramid(searched.pyramid);
     setWater(water);
     setView(sheetView, fromOsg(*view.getCurrentRenderStage()->getInitialViewMatrix()), mesh.anchor,
             waves, time);

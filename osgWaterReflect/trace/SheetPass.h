@@ -2,6 +2,7 @@
 #define OSGWATERREFLECT_TRACE_SHEETPASS_H
 
 #include "../capture/Capture.h"
+#include "../pyramid/Pyramid.h"
 #include "../surface/WaveMesh.h"
 
 #include <osgWaterReflect/WaterSurface>
@@ -10,6 +11,13 @@
 
 namespace osgWaterReflect
 {
+
+/// What a sheet's rays are looked for in, this frame's.
+struct Searched
+{
+    const Capture& capture;
+    const Pyramid* pyramid; ///< of that capture; null where the water's search needs none
+};
 
 /// One sheet of water in one view: the state and the mesh that trace and shade its pixels.
 ///
@@ -21,8 +29,8 @@ public:
     SheetPass();
 
     /// Adds the sheet to the view, drawn after what is opaque and before what is transparent.
-    /// The view is at the water node in its traversal; the capture is this frame's.
-    void draw(osgUtil::CullVisitor& view, const Capture& capture, const WaterSurface& water,
+    /// The view is at the water node in its traversal.
+    void draw(osgUtil::CullVisitor& view, const Searched& searched, const WaterSurface& water,
               const StillWater& sheet);
 
     void releaseGLObjects(osg::State* state) const;
@@ -41,6 +49,7 @@ private:
                      double time);
 
     void setCapture(const Capture& capture);
+    void setPyramid(const Pyramid* pyramid);
     void setWater(const WaterSurface& water);
     void setView(const SheetView& view, const glm::dmat4& eyeFromWorld, const glm::dvec2& anchor,
                  const WaveModel* waves, double time);

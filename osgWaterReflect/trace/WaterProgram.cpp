@@ -1,33 +1,14 @@
 #include "WaterProgram.h"
 
-#include "../shaders/ShaderSource.h"
+#include "../shaders/SharedProgram.h"
 #include "Bindings.h"
-
-#include <osg/observer_ptr>
-
-#include <mutex>
 
 using namespace osgWaterReflect;
 
 osg::ref_ptr<osg::Program> osgWaterReflect::waterProgram(const WaveModel* waves)
 {
-    static std::mutex mutex;
-    static std::map<std::string, osg::observer_ptr<osg::Program>> programs;
-
-    const std::string wavesShader = waves ? waves->getShaderName() : "waves_calm.glsl";
-    const std::lock_guard<std::mutex> lock(mutex);
-    osg::observer_ptr<osg::Program>& shared = programs[wavesShader + ShaderReplacement::all()];
-    osg::ref_ptr<osg::Program> program;
-    if (shared.lock(program)) return program;
-
-    program = new osg::Program;
-    program->setName("osgWaterReflect " + wavesShader);
-    program->addShader(
-        new osg::Shader(osg::Shader::VERTEX, assembleShader("water.vert", wavesShader)));
-    program->addShader(
-        new osg::Shader(osg::Shader::FRAGMENT, assembleShader("water.frag", wavesShader)));
-    shared = program;
-    return program;
+    return sharedProgram("water.vert", "water.frag",
+                         waves ? waves->getShaderName() : "waves_calm.glsl");
 }
 
 void osgWaterReflect::setVariant(osg::StateSet& stateSet, Search search, SkySource sky,

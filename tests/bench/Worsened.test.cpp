@@ -13,10 +13,18 @@ using namespace osgwaterbench;
 namespace
 {
 
-// The library's sequential search with one line of a shader piece changed.
+// In which fetches are one for each column.
+Method sequentialMethod()
+{
+    osgWaterReflect::ReflectionSettings settings;
+    settings.search = osgWaterReflect::Search::SEQUENTIAL;
+    return libraryMethod("sequential", settings);
+}
+
+// The same with one line of a shader piece changed.
 Method worsened(const std::string& piece, const std::string& line, const std::string& worse)
 {
-    Method method = libraryMethod("worsened", {});
+    Method method = sequentialMethod();
     std::string text = osgWaterReflect::embeddedShaders.at(piece);
     const std::size_t at = text.find(line);
     INFO("a line of " << piece << ": " << line);
@@ -40,7 +48,7 @@ TEST_CASE("a search that is made worse is caught by every measure meant to catch
     REQUIRE(scene);
     const osg::ref_ptr<osgWaterReflect::WaveModel> waves = createWaves("boxes", 0.05);
     Measurement measurement(*scene, waves, glm::ivec2(160, 120));
-    const Accuracy own = measurement.measure(libraryMethod("sequential", {}));
+    const Accuracy own = measurement.measure(sequentialMethod());
     const double ownRight = percent(own, TrueClass::VISIBLE, Outcome::CORRECT);
     const double ownDisagreed = own.search.value().disagreedPercent().value();
     REQUIRE(ownRight > 97.0);
@@ -77,9 +85,9 @@ TEST_CASE("a search that is made worse is caught by every measure meant to catch
         const std::optional<BenchScene> branched = createScene("boxes-branch");
         REQUIRE(branched);
         Measurement behind(*branched, waves, glm::ivec2(160, 120));
-        const Accuracy thin = behind.measure(libraryMethod("sequential", {}));
+        const Accuracy thin = behind.measure(sequentialMethod());
         const Accuracy worse = behind.measure(
-            worsened("search_sequential.glsl", "hit = behind <=", "hit = true || behind <="));
+            worsened("search.glsl", "meeting.hit = behind <=", "meeting.hit = true || behind <="));
         CHECK(percent(thin, TrueClass::SKY, Outcome::FALSE_HIT) < 1.0);
         CHECK(percent(worse, TrueClass::SKY, Outcome::FALSE_HIT) > 50.0);
         CHECK(worse.picture.rmse > 1.2 * thin.picture.rmse);

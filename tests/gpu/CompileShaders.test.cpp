@@ -70,7 +70,7 @@ void drawEveryVariant(OffscreenView& view)
     const osg::ref_ptr<osg::Group> root = scenes::together({lake});
     for (bool wavy : {false, true})
         for (bool sky : {false, true})
-            for (Search search : {Search::SEQUENTIAL, Search::BINARY})
+            for (Search search : {Search::SEQUENTIAL, Search::BINARY, Search::HIERARCHICAL})
                 for (auto debugView :
                      {WaterSurface::DebugView::NONE, WaterSurface::DebugView::REASON,
                       WaterSurface::DebugView::REFLECTION})
@@ -97,9 +97,9 @@ TEST_CASE("after CompileShaders no variant of the water is compiled at its first
     {
         const ListenToLinks links;
         view.viewer().realize();
-        CHECK(links.count() == 24); // 2 waves, 2 skies, 2 searches, 3 outputs
+        CHECK(links.count() == 39); // 2 waves, 2 skies, 3 searches, 3 outputs; 3 of the pyramid
     }
-    CHECK(compile->getNumCompiled() == 24);
+    CHECK(compile->getNumCompiled() == 36);
     CHECK(compile->getNumFailed() == 0);
     {
         const ListenToLinks links;
@@ -115,7 +115,7 @@ TEST_CASE("without CompileShaders each variant is compiled at its first draw, an
     {
         const ListenToLinks links;
         drawEveryVariant(view);
-        CHECK(links.count() == 24);
+        CHECK(links.count() == 39);
     }
 }
 

@@ -114,6 +114,9 @@ TEST_CASE("points and normals of the water are put out in eye space")
 TEST_CASE("the place that a water pixel shows is put out, and what it cost")
 {
     MeasuredView view;
+    ReflectionSettings settings;
+    settings.search = Search::SEQUENTIAL;
+    REQUIRE(view.water->setReflection(settings));
     const osg::ref_ptr<CapturedImages> captured = CapturedImages::of(view.camera());
     const osg::ref_ptr<osg::Image> points = view.show(DebugView::POINT);
     const osg::ref_ptr<osg::Image> hits = view.show(DebugView::HIT);

@@ -165,6 +165,7 @@ TEST_CASE("every fourth column is enough for what is wider, away from edges")
 {
     const osg::ref_ptr<WaterSurface> water = scenes::createBoxesWater();
     ReflectionSettings settings;
+    settings.search = Search::SEQUENTIAL;
     settings.stride = 4;
     REQUIRE(water->setReflection(settings));
     const MirrorComparison result = compareWithMirror(

@@ -71,8 +71,8 @@ TEST_CASE("reflection settings out of range are refused, by name, and the old on
 {
     checkMember<ReflectionSettings, Search>(
         "ReflectionSettings::search", &ReflectionSettings::search,
-        {static_cast<Search>(0), static_cast<Search>(3), static_cast<Search>(-1)},
-        {Search::BINARY, Search::SEQUENTIAL}, setReflection, getReflection);
+        {static_cast<Search>(0), static_cast<Search>(4), static_cast<Search>(-1)},
+        {Search::BINARY, Search::SEQUENTIAL, Search::HIERARCHICAL}, setReflection, getReflection);
     checkMember<ReflectionSettings, double>(
         "ReflectionSettings::thickness", &ReflectionSettings::thickness,
         {0.0, -0.0, -0.5, NaN, INF, -INF}, {TINY, 0.001, 1e6}, setReflection, getReflection);

@@ -208,7 +208,7 @@ debug_view_differs()
 
 search_is_reported()
 {
-    for search in sequential binary
+    for search in sequential binary hierarchical
     do
         picture $search "$tower" --water auto --search $search --stride 2 --thickness 2
         reported $search "^search: $search, thickness 2"

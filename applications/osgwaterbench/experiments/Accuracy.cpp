@@ -16,40 +16,60 @@ using osgWaterReflect::Search;
 namespace
 {
 
-Method own(const std::string& name, const ReflectionSettings& settings)
+// The library's default with one setting changed, which the name tells.
+class Settings
 {
-    return libraryMethod(name, settings);
-}
+public:
+    Settings(const std::string& name, Search search) : _name(name) { _settings.search = search; }
+
+    Method method() const { return libraryMethod(_name, _settings); }
+    Method withThickness(double thickness) const
+    {
+        ReflectionSettings settings = _settings;
+        settings.thickness = thickness;
+        return libraryMethod(_name + ", thickness " + fixed(thickness, 1), settings);
+    }
+    Method withCaptureScale(double scale) const
+    {
+        ReflectionSettings settings = _settings;
+        settings.captureScale = scale;
+        return libraryMethod(_name + ", capture scale " + fixed(scale, 2), settings);
+    }
+    Method withStride(int stride) const
+    {
+        ReflectionSettings settings = _settings;
+        settings.stride = stride;
+        return libraryMethod(_name + ", stride " + std::to_string(stride), settings);
+    }
+
+private:
+    std::string _name;
+    ReflectionSettings _settings;
+};
 
 std::vector<Method> methods(bool quick)
 {
-    std::vector<Method> result;
-    ReflectionSettings settings;
-    result.push_back(own("sequential", settings));
-    for (const int stride : quick ? std::vector<int>{4} : std::vector<int>{2, 4, 8})
-    {
-        ReflectionSettings strided = settings;
-        strided.stride = stride;
-        result.push_back(own("sequential, stride " + std::to_string(stride), strided));
-    }
-    for (const double thickness : quick ? std::vector<double>{} : std::vector<double>{0.1, 2.0})
-    {
-        ReflectionSettings thick = settings;
-        thick.thickness = thickness;
-        result.push_back(own("sequential, thickness " + fixed(thickness, 1), thick));
-    }
-    for (const double scale : quick ? std::vector<double>{0.5} : std::vector<double>{0.5, 0.25})
-    {
-        ReflectionSettings scaled = settings;
-        scaled.captureScale = scale;
-        result.push_back(own("sequential, capture scale " + fixed(scale, 2), scaled));
-    }
-    settings.search = Search::BINARY;
-    result.push_back(own("binary", settings));
-    result.push_back(paperMethod());
-    result.push_back(paperBinaryMethod());
-    result.push_back(baselineMethod());
-    return result;
+    const Settings hierarchical("hierarchical", Search::HIERARCHICAL);
+    const Settings sequential("sequential", Search::SEQUENTIAL);
+    const Settings binary("binary", Search::BINARY);
+    if (quick)
+        return {hierarchical.method(), hierarchical.withCaptureScale(0.5),
+                sequential.method(),   sequential.withStride(4),
+                binary.method(),       paperMethod(),
+                paperBinaryMethod(),   baselineMethod()};
+    return {hierarchical.method(),
+            hierarchical.withThickness(0.1),
+            hierarchical.withThickness(2.0),
+            hierarchical.withCaptureScale(0.5),
+            hierarchical.withCaptureScale(0.25),
+            sequential.method(),
+            sequential.withStride(2),
+            sequential.withStride(4),
+            sequential.withStride(8),
+            binary.method(),
+            paperMethod(),
+            paperBinaryMethod(),
+            baselineMethod()};
 }
 
 std::vector<std::string> printed(const Method& method, const Accuracy& accuracy,

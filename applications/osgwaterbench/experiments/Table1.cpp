@@ -42,10 +42,19 @@ double exponentOf(const std::vector<double>& pixels, const std::vector<double>& 
 
 std::vector<Method> searches()
 {
-    osgWaterReflect::ReflectionSettings binary;
-    binary.search = osgWaterReflect::Search::BINARY;
-    return {libraryMethod("sequential", {}), libraryMethod("binary", binary), paperMethod(),
-            paperBinaryMethod()};
+    using osgWaterReflect::Search;
+    std::vector<Method> methods;
+    for (const auto& [name, search] : {std::pair("hierarchical", Search::HIERARCHICAL),
+                                       {"sequential", Search::SEQUENTIAL},
+                                       {"binary", Search::BINARY}})
+    {
+        osgWaterReflect::ReflectionSettings settings;
+        settings.search = search;
+        methods.push_back(libraryMethod(name, settings));
+    }
+    methods.push_back(paperMethod());
+    methods.push_back(paperBinaryMethod());
+    return methods;
 }
 
 std::string headerOf(const glm::ivec2& size)

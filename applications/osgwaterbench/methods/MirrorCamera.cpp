@@ -17,7 +17,7 @@ namespace
 constexpr const char* COLOUR = "bench_mirrorColour";
 constexpr const char* WINDOW_Z = "bench_mirrorWindowZ";
 constexpr const char* DISTORTION = "bench_mirrorDistortion";
-constexpr unsigned int UNIT_COLOUR = bindings::UNIT_SKY + 1;
+constexpr unsigned int UNIT_COLOUR = bindings::NUM_UNITS;
 constexpr unsigned int UNIT_WINDOW_Z = UNIT_COLOUR + 1;
 
 // What three.js bends the image by at any distance, over what it does at a distance of 1.

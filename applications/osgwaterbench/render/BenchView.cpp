@@ -101,7 +101,6 @@ BenchView::BenchView(const BenchScene& scene, const glm::ivec2& size, Purpose pu
         marks->addCullCallback(new NotCaptured);
         marks->addChild(_clock->createWaterMark());
         root->addChild(marks);
-        _clock->watchImage(*_bed.mirror);
         _clock->watchFrame(camera);
     }
     _viewer.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
@@ -161,16 +160,21 @@ SearchedImage BenchView::searchedImage()
             searched->getProjectionMatrix()};
 }
 
+void BenchView::watchImages()
+{
+    auto& renderer = dynamic_cast<osgViewer::Renderer&>(*_viewer.getCamera()->getRenderer());
+    for (const auto& before : renderer.getSceneView(0)->getRenderStage()->getPreRenderList())
+        _clock->watchImage(*before.second->getCamera());
+}
+
 FrameTime BenchView::time()
 {
     const MethodScope scope(_method, _bed);
-    if (!_captureIsWatched)
+    // The first frame of a method makes what it needs.
+    if (_watchedMethods.insert(_method.name).second)
     {
-        // The first frame with water makes the capture.
         frame();
-        osg::Camera* const capture = findCaptureCamera();
-        if (capture) _clock->watchImage(*capture);
-        _captureIsWatched = capture != nullptr;
+        watchImages();
     }
     _clock->start();
     frame();

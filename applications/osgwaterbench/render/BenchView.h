@@ -11,6 +11,8 @@
 
 #include <glm/vec2.hpp>
 
+#include <set>
+#include <string>
 #include <vector>
 
 namespace osgwaterbench
@@ -64,6 +66,7 @@ public:
 private:
     void frame();
     osg::Camera* findCaptureCamera();
+    void watchImages();
 
     glm::ivec2 _size;
     Purpose _purpose;
@@ -72,8 +75,8 @@ private:
     osg::Plane _stillWater;
     TestBed _bed;
     osg::ref_ptr<osg::Group> _waters = new osg::Group;
-    Method _method = libraryMethod("sequential", {});
-    bool _captureIsWatched = false;
+    Method _method = libraryMethod("default", {});
+    std::set<std::string> _watchedMethods; // whose images' cameras the clock knows
     osgViewer::Viewer _viewer;
 };
 

@@ -13,7 +13,7 @@ namespace osgwaterbench
 /// Where the time of a frame goes [ms].
 struct FrameTime
 {
-    double image = 0.0; ///< rendering the images that reflections are looked up in
+    double image = 0.0; ///< rendering the images that reflections are looked up in, and pyramids
     double trace = 0.0; ///< drawing the water: its vertices, the search and the shading
     double frame = 0.0; ///< everything, cull and draw, until the last pixel is done
 };
@@ -36,7 +36,8 @@ public:
 
     void setWay(Way way) { _way = way; }
 
-    /// The image of a camera counts as one that reflections are looked up in.
+    /// The image of a camera counts as one that reflections are looked up in. It must not be
+    /// watched by another clock.
     void watchImage(osg::Camera& camera);
 
     /// To be drawn between what is opaque and the water.

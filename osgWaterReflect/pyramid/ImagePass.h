@@ -1,0 +1,51 @@
+#ifndef OSGWATERREFLECT_PYRAMID_IMAGEPASS_H
+#define OSGWATERREFLECT_PYRAMID_IMAGEPASS_H
+
+#include <osg/Camera>
+#include <osg/Geometry>
+#include <osg/Program>
+#include <osg/Texture2D>
+#include <osgUtil/CullVisitor>
+#include <osgUtil/RenderStage>
+
+#include <string>
+
+namespace osgWaterReflect
+{
+
+/// An image computed from other images by a fragment shader, rendered before a view's stage.
+class ImagePass : public osg::Referenced
+{
+public:
+    /// fragmentShader  a file of shaders/
+    ///   internalFormat, format  of the image, in floats
+    ImagePass(const char* fragmentShader, GLint internalFormat, GLenum format);
+
+    /// What computes it; the same for all of a fragment shader.
+    static osg::ref_ptr<osg::Program> program(const std::string& fragmentShader);
+
+    /// A texture that the shader reads from a unit, under a name of Bindings.h.
+    void setInput(unsigned int unit, const char* name, osg::Texture2D* texture);
+
+    /// Renders it after all that is to be rendered before the view's stage so far.
+    ///   width, height  [pixels] > 0
+    void require(osgUtil::CullVisitor& view, int width, int height);
+
+    osg::Texture2D* image() const { return _image.get(); }
+
+    void releaseGLObjects(osg::State* state) const;
+    void resizeGLObjectBuffers(unsigned int maxSize);
+
+private:
+    std::string _fragmentShader;
+    osg::ref_ptr<osg::Texture2D> _image;
+    osg::ref_ptr<osg::StateSet> _stateSet;
+    osg::ref_ptr<osg::Geometry> _triangle;
+    osg::ref_ptr<osg::Camera> _camera; // holds the attachment; it is no node of the scene
+    osg::ref_ptr<osgUtil::StateGraph> _stateGraph;
+    osg::ref_ptr<osgUtil::RenderStage> _stage;
+};
+
+} // namespace osgWaterReflect
+
+#endif

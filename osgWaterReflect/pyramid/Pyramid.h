@@ -1,0 +1,55 @@
+#ifndef OSGWATERREFLECT_PYRAMID_PYRAMID_H
+#define OSGWATERREFLECT_PYRAMID_PYRAMID_H
+
+#include "../capture/Capture.h"
+#include "ImagePass.h"
+
+#include <osg/Program>
+
+#include <vector>
+
+namespace osgWaterReflect
+{
+
+/// How near the surface comes that a capture shows, in cells of three sizes: so that a search can
+/// pass over what its ray does not reach.
+///
+/// | image    | format  | a texel holds                                   | side of its cell [px] |
+/// |----------|---------|-------------------------------------------------|-----------------------|
+/// | smallest | RG32F   | nearest and farthest windowZ                    | 4                     |
+/// | middle   | R32F    | nearest windowZ                                 | 32                    |
+/// | large    | R32F    | the same                                        | 256                   |
+/// | cells    | RGBA32F | nearest of the smallest, middle and large cell about it, and the farthest
+/// of the smallest | 4 |
+///
+/// Sizes are rounded up: a cell at the border may hold fewer pixels. Background counts as farthest,
+/// 1. Only what is rendered is held here, nothing of any water's settings.
+class Pyramid : public osg::Referenced
+{
+public:
+    Pyramid();
+
+    /// Builds it between the capture and the view's current stage, unless that has been arranged
+    /// in this cull already.
+    void require(osgUtil::CullVisitor& view, const Capture& capture);
+
+    /// All that building one runs, for those who compile ahead.
+    static std::vector<osg::ref_ptr<osg::Program>> programs();
+
+    /// What a search reads.
+    osg::Texture2D* cells() const { return _cells->image(); }
+
+    void releaseGLObjects(osg::State* state) const;
+    void resizeGLObjectBuffers(unsigned int maxSize);
+
+private:
+    osg::ref_ptr<ImagePass> _smallest;
+    osg::ref_ptr<ImagePass> _middle;
+    osg::ref_ptr<ImagePass> _large;
+    osg::ref_ptr<ImagePass> _cells;
+    unsigned int _serial = 0; // of the capture that it was built of last; 0: none
+};
+
+} // namespace osgWaterReflect
+
+#endif

@@ -1,0 +1,104 @@
+// The same columns and the same hits as the sequential search of stride 1, without looking at most
+// of them: a cell of the image whose surface is all farther than the ray is left at once, and so is
+// one whose surface all hides a ray that is behind it already. One fetch tells of the cells of three
+// sizes about a place.
+
+const vec3 CELL_SIDES = vec3(CELL, CELL * CELLS_MERGED, CELL * CELLS_MERGED * CELLS_MERGED);
+
+// Nearest windowZ of the smallest, middle and large cell about a place, and the farthest of the
+// smallest.
+vec4 pyramidCell(vec2 window)
+{
+    COUNT_DEPTH_FETCH
+    return texelFetch(pyramid, ivec2(window) / CELL, 0);
+}
+
+// How many columns, from one at a place on, lie within the cell about it.
+//   window     of the ray at the first column [pixels]
+//   perColumn  how the place moves from column to column [pixels], no component 0
+float columnsWithin(float side, vec2 window, vec2 perColumn)
+{
+    vec2 low = floor(window / side) * side;
+    vec2 border = low + side * vec2(greaterThan(perColumn, vec2(0.0)));
+    vec2 columns = (border - window) / perColumn;
+    // Rounded up, but not where a rounding error would take in one column more. A ray that stays in
+    // one pixel never leaves: no image has more columns than this.
+    return clamp(floor(min(columns.x, columns.y) + 0.999), 1.0, 65536.0);
+}
+
+// How many of these columns the ray passes without reaching what is nearest in the cell.
+//   room        how far that is behind the ray at the first of them [windowZ]
+//   perColumnZ  by how much the ray's windowZ grows from column to column
+float columnsInFront(float columns, float nearest, float room, float perColumnZ)
+{
+    float inFront = room <= 0.0       ? 0.0
+                    : perColumnZ > 0.0 ? min(ceil(room / perColumnZ), columns)
+                                       : columns;
+    return nearest >= 1.0 ? columns : inFront;
+}
+
+TraceResult searchImage(ImageRay ray)
+{
+    Columns columns = columnsOf(ray, 1.0);
+    vec3 extent = ray.end - ray.start;
+    vec3 perColumn = columns.step * extent;
+    float stepZ = min(columns.step, 1.0) * abs(extent.z);
+    // A ray that stays in its column or row never leaves a cell on that side.
+    vec2 way = mix(perColumn.xy, vec2(1e-9), lessThan(abs(perColumn.xy), vec2(1e-9)));
+
+    bool inFront = true;
+    Meeting meeting = Meeting(false, 0.0, 0.0);
+    float sBefore = 0.0;   // of a hit: the column before, at first the start
+    float s = 0.0;
+    float before = 0.0;    // depth of the ray behind the surface there [windowZ]
+    float behind = 0.0;    // the same at this column
+    float sHidden = 0.0;   // where the ray last went behind something ...
+    float hidden = 0.0;    // ... and its depth behind that [windowZ]
+    int i = 0;
+    while (i < columns.count && !meeting.hit)
+    {
+        vec3 window = ray.start + columnAt(columns, i) * extent;
+        vec4 cell = pyramidCell(window.xy);
+        vec3 room = cell.xyz - window.z - 0.5 * stepZ;
+        float within = columnsWithin(CELL_SIDES.x, window.xy, way);
+        float free = max(
+            columnsInFront(within, cell.x, room.x, perColumn.z),
+            max(columnsInFront(columnsWithin(CELL_SIDES.y, window.xy, way), cell.y, room.y,
+                               perColumn.z),
+                columnsInFront(columnsWithin(CELL_SIDES.z, window.xy, way), cell.z, room.z,
+                               perColumn.z)));
+        inFront = inFront || free > 0.0;
+
+        float leastZ = window.z + min(within * perColumn.z, 0.0) + 0.5 * stepZ;
+        bool staysBehind = !inFront && cell.a < 1.0 && leastZ >= cell.a;
+        int last = min(i + int(within), columns.count);
+        i += int(staysBehind ? within : free);
+        for (; i < last && !meeting.hit; ++i)
+        {
+            s = columnAt(columns, i);
+            window = ray.start + s * extent;
+            float surfaceZ = capturedWindowZ(window.xy);
+            behind = window.z - surfaceZ;
+            bool reached = behind + 0.5 * stepZ >= 0.0 && surfaceZ < 1.0;
+            if (reached && inFront)
+            {
+                sBefore = i > 0 ? columnAt(columns, i - 1) : 0.0;
+                vec3 windowBefore = ray.start + sBefore * extent;
+                float previousZ = i > 0 ? capturedWindowZ(windowBefore.xy) : 0.0;
+                before = i > 0 ? windowBefore.z - previousZ : 0.0;
+                meeting = meetSurface(surfaceZ, previousZ, behind, stepZ,
+                                      mix(ray.inverseDepth.x, ray.inverseDepth.y, s));
+                sHidden = s;
+                hidden = behind;
+            }
+            inFront = !reached;
+        }
+    }
+
+    TraceResult result;
+    result.reason = meeting.hit ? REASON_HIT : inFront ? ray.endReason : REASON_BEHIND;
+    result.s = meeting.hit ? placeOfHit(ray, meeting, sBefore, s, before, behind) : sHidden;
+    result.hidden = hidden;
+    result.window = ray.start.xy + result.s * extent.xy;
+    return result;
+}

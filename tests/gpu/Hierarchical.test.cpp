@@ -1,0 +1,195 @@
+// The pyramid of a capture, and the search that uses it.
+
+#include "support/CapturedImages.h"
+#include "support/Catch.h"
+#include "support/OffscreenView.h"
+#include "support/Scenes.h"
+
+#include <osgWaterReflect/TrochoidalWaves>
+
+#include <osgUtil/RenderStage>
+#include <osgViewer/Renderer>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace osgWaterReflect;
+using DebugView = WaterSurface::DebugView;
+
+namespace
+{
+
+osg::ref_ptr<WaterSurface> createWater(Search search)
+{
+    osg::ref_ptr<WaterSurface> water = scenes::createBoxesWater();
+    ReflectionSettings settings;
+    settings.search = search;
+    REQUIRE(water->setReflection(settings));
+    return water;
+}
+
+// A texture that a stage before the view's rendered, by the name of its camera; floats.
+osg::ref_ptr<osg::Image> readPass(osgViewer::Viewer& viewer, const std::string& cameraName)
+{
+    auto* renderer = dynamic_cast<osgViewer::Renderer*>(viewer.getCamera()->getRenderer());
+    REQUIRE(renderer);
+    osg::GraphicsContext& context = *viewer.getCamera()->getGraphicsContext();
+    for (const auto& before : renderer->getSceneView(0)->getRenderStage()->getPreRenderList())
+    {
+        const osg::Camera* camera = before.second->getCamera();
+        if (!camera || camera->getName() != cameraName) continue;
+        const auto& attachments = camera->getBufferAttachmentMap();
+        auto* texture = dynamic_cast<osg::Texture2D*>(attachments.begin()->second._texture.get());
+        REQUIRE(texture);
+        osg::ref_ptr<osg::Image> image = new osg::Image;
+        image->allocateImage(texture->getTextureWidth(), texture->getTextureHeight(), 1, GL_RGBA,
+                             GL_FLOAT);
+        context.makeCurrent();
+        context.getState()->applyTextureAttribute(0, texture);
+        glPixelStorei(GL_PACK_ALIGNMENT, 1);
+        glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, image->data());
+        return image;
+    }
+    return nullptr;
+}
+
+// Two steps of a 24-bit depth buffer, for what it holds is read back and fetched in two ways.
+const float DEPTH_STEPS = 1.2e-7f;
+
+bool differs(float a, float b)
+{
+    return std::abs(a - b) > DEPTH_STEPS;
+}
+
+// Nearest (farthest) windowZ in the cell of a side about a pixel.
+float boundOf(const osg::Image& windowZ, int x, int y, int side, bool nearest)
+{
+    float bound = nearest ? 1.0f : 0.0f;
+    const int left = x / side * side;
+    const int low = y / side * side;
+    for (int py = low; py < std::min(low + side, windowZ.t()); ++py)
+        for (int px = left; px < std::min(left + side, windowZ.s()); ++px)
+        {
+            const float z = *reinterpret_cast<const float*>(windowZ.data(px, py));
+            bound = nearest ? std::min(bound, z) : std::max(bound, z);
+        }
+    return bound;
+}
+
+} // namespace
+
+// Falls when a cell leaves out a pixel at its border or at the image's, when a level is merged of
+// the wrong cells, or when the pyramid is that of another frame.
+TEST_CASE("a pyramid bounds what a capture shows, at any size")
+{
+    const osg::ref_ptr<osg::Group> scene = scenes::createBoxes();
+    scene->addChild(createWater(Search::HIERARCHICAL));
+    const std::pair<int, int> sizes[] = {{1, 1},     {3, 2},     {4, 4},    {5, 33},   {31, 257},
+                                         {257, 131}, {640, 480}, {1021, 7}, {4096, 9}, {9, 4096}};
+    for (const auto& size : sizes)
+    {
+        INFO(size.first << " x " << size.second);
+        OffscreenView view(size.first, size.second);
+        view.look(osg::Vec3d(0, -4, 2), osg::Vec3d(0, 20, 1));
+        const osg::ref_ptr<CapturedImages> captured = CapturedImages::of(view.camera());
+        view.render(scene);
+        view.look(osg::Vec3d(1, -3, 2.5), osg::Vec3d(0, 20, 1));
+        view.render(scene);
+        const osg::Image& windowZ = *captured->one().windowZ;
+        const osg::ref_ptr<osg::Image> cells =
+            readPass(view.viewer(), "osgWaterReflect pyramid_pack.frag");
+        REQUIRE(cells);
+        CHECK(cells->s() == (size.first + 3) / 4);
+        CHECK(cells->t() == (size.second + 3) / 4);
+
+        int wrong = 0;
+        for (int y = 0; y < cells->t(); ++y)
+            for (int x = 0; x < cells->s(); ++x)
+            {
+                const osg::Vec4 cell = cells->getColor(x, y);
+                wrong += differs(cell.r(), boundOf(windowZ, 4 * x, 4 * y, 4, true)) ||
+                         differs(cell.g(), boundOf(windowZ, 4 * x, 4 * y, 32, true)) ||
+                         differs(cell.b(), boundOf(windowZ, 4 * x, 4 * y, 256, true)) ||
+                         differs(cell.a(), boundOf(windowZ, 4 * x, 4 * y, 4, false));
+            }
+        CHECK(wrong == 0);
+    }
+}
+
+// Falls when the pyramid is built for every search.
+TEST_CASE("no pyramid is built where no search uses it")
+{
+    const osg::ref_ptr<osg::Group> scene = scenes::createBoxes();
+    const osg::ref_ptr<WaterSurface> water = createWater(Search::SEQUENTIAL);
+    scene->addChild(water);
+    OffscreenView view(64, 48);
+    const osg::ref_ptr<CapturedImages> captured = CapturedImages::of(view.camera());
+    view.render(scene);
+    CHECK(captured->stages == 1);
+    scene->addChild(createWater(Search::HIERARCHICAL));
+    scene->addChild(createWater(Search::HIERARCHICAL));
+    view.render(scene);
+    CHECK(captured->stages == 5); // the capture and four passes, for both
+}
+
+// Falls when a cell is left too late or too early, when a ray that is behind something is taken for
+// one in front, or when the column before a hit is forgotten.
+TEST_CASE("the hierarchical search finds what the sequential search finds, in few fetches")
+{
+    const osg::ref_ptr<TrochoidalWaves> breeze = TrochoidalWaves::createBreeze(2.0, 0.15);
+    for (const bool branch : {false, true})
+        for (const bool moving : {false, true})
+            for (const double pitchDegrees : {0.0, 8.6, 30.0})
+                for (const double rollDegrees : {0.0, 70.0})
+                {
+                    const osg::ref_ptr<osg::Group> scene = scenes::createBoxes();
+                    if (branch)
+                        scene->addChild(scenes::createBox(osg::Vec3(0, 1.5, 2.85),
+                                                          osg::Vec3(4, 1, 0.3),
+                                                          osg::Vec4(0.3, 0.2, 0.1, 1)));
+                    const osg::ref_ptr<WaterSurface> water = createWater(Search::SEQUENTIAL);
+                    scene->addChild(water);
+                    if (moving) water->setWaves(breeze);
+                    water->setDebugView(DebugView::HIT);
+
+                    OffscreenView view(333, 241, OffscreenView::Format::RGBA32F);
+                    view.camera().setClearColor(osg::Vec4(0, 0, 0, -9));
+                    const double pitch = osg::DegreesToRadians(pitchDegrees);
+                    const osg::Vec3d eye(0, -4, 2);
+                    view.look(eye, eye + osg::Vec3d(0, std::cos(pitch), -std::sin(pitch)));
+                    view.camera().setViewMatrix(
+                        view.camera().getViewMatrix() *
+                        osg::Matrixd::rotate(osg::DegreesToRadians(rollDegrees),
+                                             osg::Vec3d(0, 0, 1)));
+                    const osg::ref_ptr<osg::Image> sequential = copyOf(view.render(scene));
+                    ReflectionSettings settings = water->getReflection();
+                    settings.search = Search::HIERARCHICAL;
+                    REQUIRE(water->setReflection(settings));
+                    const osg::ref_ptr<osg::Image> hierarchical = copyOf(view.render(scene));
+
+                    int pixels = 0;
+                    int different = 0;
+                    double fetchesSequential = 0.0;
+                    double fetchesHierarchical = 0.0;
+                    for (int y = 0; y < view.height(); ++y)
+                        for (int x = 0; x < view.width(); ++x)
+                        {
+                            const osg::Vec4 a = pixel(*sequential, x, y);
+                            const osg::Vec4 b = pixel(*hierarchical, x, y);
+                            if (a.a() <= 1.0f) continue; // no water, or nothing searched
+                            ++pixels;
+                            fetchesSequential += a.a();
+                            fetchesHierarchical += b.a();
+                            different +=
+                                a.z() != b.z() || std::hypot(a.x() - b.x(), a.y() - b.y()) > 1e-3;
+                        }
+                    INFO("branch " << branch << ", moving " << moving << ", pitch " << pitchDegrees
+                                   << ", roll " << rollDegrees);
+                    WARN(pixels << " pixels, " << different << " different; fetches "
+                                << fetchesSequential / pixels << " and "
+                                << fetchesHierarchical / pixels);
+                    CHECK(pixels > 20000);
+                    CHECK(different <= 1e-4 * pixels);
+                    CHECK(fetchesHierarchical < 0.5 * fetchesSequential);
+                }
+}
