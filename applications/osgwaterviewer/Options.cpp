@@ -98,7 +98,8 @@ void readReflection(OptionReader& reader, WaterLook& look)
         "How far behind a visible surface still counts as inside it, in world units. The default " +
             SCALED,
         reflection.thickness);
-    reader.readNumber("--stride", "PIXELS", "Look at every stride-th column only.",
+    reader.readNumber("--stride", "PIXELS",
+                      "Of a sequential search: look at every stride-th column only.",
                       reflection.stride);
     reader.readNumber("--capture-scale", "SCALE",
                       "Size of the captured image over the view's, above 0, up to 1.",

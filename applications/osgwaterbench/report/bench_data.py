@@ -11,24 +11,27 @@ SLOPES = (0.0, 0.05, 0.1, 0.15)
 CALM = 0.0
 MAIN_SLOPE = 0.05  # of the main tables, the plots and the pictures
 
-DEFAULT = "sequential"
+DEFAULT = "hierarchical"
+SEQUENTIAL = "sequential"
+BINARY = "binary"
 METHODS = (
     DEFAULT,
+    "hierarchical, thickness 0.1",
+    "hierarchical, thickness 2.0",
+    "hierarchical, capture scale 0.50",
+    "hierarchical, capture scale 0.25",
+    SEQUENTIAL,
     "sequential, stride 2",
     "sequential, stride 4",
     "sequential, stride 8",
-    "sequential, thickness 0.1",
-    "sequential, thickness 2.0",
-    "sequential, capture scale 0.50",
-    "sequential, capture scale 0.25",
-    "binary",
+    BINARY,
     "paper",
     "paper-binary",
     "baseline",
 )
 MIRROR = "mirror"  # whichever of its two kinds of bending was the best
 RIVALS = (DEFAULT, "paper", "paper-binary", MIRROR, "sky-only")
-TABLE1_METHODS = (DEFAULT, "binary", "paper", "paper-binary")
+TABLE1_METHODS = (DEFAULT, SEQUENTIAL, BINARY, "paper", "paper-binary")
 VARIED = ("triangles", "waters", "corners", "pixels")
 
 CLASSES = ("sky", "visible", "hidden", "outside_top", "outside_sides")

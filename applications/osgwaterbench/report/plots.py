@@ -29,6 +29,7 @@ TICK_DIGITS = (
     tuple(half / 2.0 for half in range(2, 20)),
 )
 
+OWN_SEARCHES = (bench.DEFAULT, bench.SEQUENTIAL, bench.BINARY)
 OWN, OTHERS, GREY = "#0072b2", "#d55e00", "#888888"
 STAGES = {
     "image_ms": ("captured image", "#e69f00"),
@@ -159,7 +160,7 @@ def front(points: list[tuple[float, float]]) -> list[tuple[float, float]]:
 
 
 def short_name(method: str) -> str:
-    return method.removeprefix("sequential, ")
+    return method.removeprefix("hierarchical, ").removeprefix("sequential, ")
 
 
 def label_lines(
@@ -199,7 +200,7 @@ def pareto_panel(data: BenchData, scene: str, index: int) -> list[str]:
         for method in data.methods
     ]
     points = [(cost_ms(row), wrong_percent(row), short_name(row["method"])) for row in rows]
-    is_own = [row["method"].startswith(bench.DEFAULT) or row["method"] == "binary" for row in rows]
+    is_own = [row["method"].startswith(OWN_SEARCHES) for row in rows]
     ceiling = max(not_in_image_percent(rows[0]), LEAST_PERCENT)
     x = Axis.of([point[0] for point in points])
     y = Axis.of([point[1] for point in points] + [ceiling])

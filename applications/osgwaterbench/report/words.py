@@ -257,6 +257,11 @@ def placeholders(data: BenchData, gpu: BenchData, link: str) -> dict:
         # what it costs
         "cost": lambda: median_cost(data),
         "trace": lambda: rounding.milliseconds(median_of(own, "trace_ms.median")),
+        "fetches": lambda: rounding.fetches(median_of(own, "fetches")),
+        "sequential_fetches": lambda: rounding.fetches(
+            median_of(rows_of(data, bench.SEQUENTIAL), "fetches")
+        ),
+        "sequential_cost": lambda: cost_of(data, bench.SEQUENTIAL),
         "stride4_cost": lambda: cost_of(data, "sequential, stride 4"),
         "stride4_loss": lambda: loss_of(data, "sequential, stride 4"),
         "binary_cost": lambda: cost_of(data, "binary"),
@@ -265,11 +270,11 @@ def placeholders(data: BenchData, gpu: BenchData, link: str) -> dict:
         # settings
         "binary_missed": lambda: missed(data, "binary"),
         "default_missed": lambda: missed(data, bench.DEFAULT),
-        "thin_missed": lambda: missed(data, "sequential, thickness 0.1"),
-        "thick_missed": lambda: missed(data, "sequential, thickness 2.0"),
-        "thin_false": lambda: branch_false(data, "sequential, thickness 0.1"),
+        "thin_missed": lambda: missed(data, "hierarchical, thickness 0.1"),
+        "thick_missed": lambda: missed(data, "hierarchical, thickness 2.0"),
+        "thin_false": lambda: branch_false(data, "hierarchical, thickness 0.1"),
         "default_false": lambda: branch_false(data, bench.DEFAULT),
-        "thick_false": lambda: branch_false(data, "sequential, thickness 2.0"),
+        "thick_false": lambda: branch_false(data, "hierarchical, thickness 2.0"),
         # rivals
         "paper_right": lambda: mean_percent(rivals_of(data, "paper")),
         "paper_cost": lambda: rival_cost_of(data, "paper"),
@@ -282,7 +287,8 @@ def placeholders(data: BenchData, gpu: BenchData, link: str) -> dict:
         "pictures": lambda: pictures(data, link),
         # table 1
         "table1_scene": lambda: data.table1.conditions["scene"],
-        "exponent_sequential": lambda: exponent(bench.DEFAULT),
+        "exponent_hierarchical": lambda: exponent(bench.DEFAULT),
+        "exponent_sequential": lambda: exponent(bench.SEQUENTIAL),
         "exponent_binary": lambda: exponent("binary"),
         "paper_exponent": lambda: rounding.exponent(tables.paper_exponent()),
         # scaling
