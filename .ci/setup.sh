@@ -7,7 +7,7 @@ packages="
     g++ cmake ninja-build
     libopenscenegraph-dev libglm-dev libgl-dev libegl-dev libosmesa6-dev
     libgl1-mesa-dri libegl1 libegl-mesa0
-    catch2 clang-format libembree-dev libbenchmark-dev nlohmann-json3-dev
+    catch2 clang-format libembree-dev libbenchmark-dev nlohmann-json3-dev python3
 "
 
 say() { printf '== %s\n' "$*"; }

@@ -14,7 +14,7 @@ using namespace osgwaterbench;
 namespace
 {
 
-const glm::ivec2 QUICK_SIZE(320, 240);
+const glm::ivec2 QUICK_SIZE(240, 180);
 const int LARGEST_SIDE = 8192; // [pixels]
 
 int complain(const std::string& message)
