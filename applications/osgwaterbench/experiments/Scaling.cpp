@@ -20,11 +20,14 @@ struct Point
 {
     std::string varied; // triangles, waters, corners or pixels
     double value = 0.0;
+    double slope = 0.0; // of the waves
     bool water = true;
     std::unique_ptr<BenchView> view;
 };
 
+// Moving water; where waves may make a difference to what is varied, calm water, too.
 const double SLOPE = 0.05;
+const double CALM = 0.0;
 
 // Of the experiments in which something else is varied.
 const std::size_t TRIANGLES = 100000;
@@ -40,7 +43,8 @@ public:
         for (std::size_t triangles = 1000; triangles <= (_options.quick ? 1000000u : 10000000u);
              triangles *= 10)
             for (const bool water : {true, false})
-                if (!add("triangles", static_cast<double>(triangles), triangles, _options.size,
+                if (!add("triangles", static_cast<double>(triangles), SLOPE, triangles,
+                         _options.size,
                          [water](const BenchScene& scene)
                          { return water ? BenchView::Waters{scene.water} : BenchView::Waters(); }))
                     return false;
@@ -49,20 +53,22 @@ public:
 
     bool addWaters()
     {
-        for (const int count : {1, 4, 16, 64})
-            if (!add("waters", count, TRIANGLES, _options.size,
-                     [count](const BenchScene&) { return createWaters(count); }))
-                return false;
+        for (const double slope : {CALM, SLOPE})
+            for (const int count : {1, 4, 16, 64})
+                if (!add("waters", count, slope, TRIANGLES, _options.size,
+                         [count](const BenchScene&) { return createWaters(count); }))
+                    return false;
         return true;
     }
 
     bool addOutlines()
     {
-        for (const int corners : {4, 64, 1024})
-            if (!add("corners", corners, TRIANGLES, _options.size,
-                     [corners](const BenchScene&)
-                     { return BenchView::Waters{createShapedWater(corners)}; }))
-                return false;
+        for (const double slope : {CALM, SLOPE})
+            for (const int corners : {4, 64, 1024})
+                if (!add("corners", corners, slope, TRIANGLES, _options.size,
+                         [corners](const BenchScene&)
+                         { return BenchView::Waters{createShapedWater(corners)}; }))
+                    return false;
         return true;
     }
 
@@ -71,7 +77,7 @@ public:
         for (const glm::ivec2 size : {glm::ivec2(320, 240), {640, 480}, {1024, 768}, {1400, 1050}})
         {
             if (_options.quick && size.x > _options.size.x) break;
-            if (!add("pixels", static_cast<double>(size.x) * size.y, TRIANGLES, size,
+            if (!add("pixels", static_cast<double>(size.x) * size.y, SLOPE, TRIANGLES, size,
                      [](const BenchScene& scene) { return BenchView::Waters{scene.water}; }))
                 return false;
         }
@@ -82,19 +88,19 @@ public:
 
 private:
     template <class ChooseWaters>
-    bool add(const std::string& varied, double value, std::size_t triangles, const glm::ivec2& size,
-             const ChooseWaters& choose)
+    bool add(const std::string& varied, double value, double slope, std::size_t triangles,
+             const glm::ivec2& size, const ChooseWaters& choose)
     {
         const BenchScene scene = createScalingScene(triangles);
         if (!scene.scene) return false;
         const BenchView::Waters waters = choose(scene);
-        const osg::ref_ptr<osgWaterReflect::WaveModel> waves = createWaves(scene.name, SLOPE);
+        const osg::ref_ptr<osgWaterReflect::WaveModel> waves = createWaves(scene.name, slope);
         for (const auto& water : waters)
         {
             if (!water) return false;
             water->setWaves(waves);
         }
-        Point point{varied, value, !waters.empty(),
+        Point point{varied, value, slope, !waters.empty(),
                     std::make_unique<BenchView>(scene, size, BenchView::Purpose::TIME)};
         point.view->setWaters(waters);
         _points.push_back(std::move(point));
@@ -110,7 +116,6 @@ private:
 bool osgwaterbench::runScaling(const ExperimentOptions& options)
 {
     Json conditions = commonConditions(options);
-    conditions["slope"] = SLOPE;
     conditions["triangles"] = TRIANGLES;
     ResultFile results("scaling", conditions);
 
@@ -123,16 +128,19 @@ bool osgwaterbench::runScaling(const ExperimentOptions& options)
                          [&point] { return point.view->time(); }});
     const std::vector<CaseTime> times = timeSideBySide(cases, options.frames);
 
-    Table table({"varied", "value", "water", "capture ms", "trace ms", "frame ms"});
+    Table table({"varied", "value", "slope", "water", "capture ms", "trace ms", "frame ms"});
     for (std::size_t i = 0; i < times.size(); ++i)
     {
         const Point& point = points.all()[i];
-        Json row = {{"varied", point.varied}, {"value", point.value}, {"water", point.water}};
+        Json row = {{"varied", point.varied},
+                    {"value", point.value},
+                    {"slope", point.slope},
+                    {"water", point.water}};
         row.update(toJson(times[i]));
         results.add(row);
-        table.add({point.varied, fixed(point.value, 0), point.water ? "yes" : "no",
-                   fixed(times[i].image.median, 1), fixed(times[i].trace.median, 1),
-                   fixed(times[i].frame.median, 1)});
+        table.add({point.varied, fixed(point.value, 0), fixed(point.slope, 2),
+                   point.water ? "yes" : "no", fixed(times[i].image.median, 1),
+                   fixed(times[i].trace.median, 1), fixed(times[i].frame.median, 1)});
     }
     std::cout << "\n" << table;
     return results.write(options.output);

@@ -239,7 +239,7 @@ def curve(rows: list[Row], stage: str) -> list[tuple[float, float]]:
 
 
 def scaling_panel(data: BenchData, varied: str, index: int) -> list[str]:
-    wet = data.scaling.all(varied=varied, water=True)
+    wet = data.scaling.all(varied=varied, slope=bench.MAIN_SLOPE, water=True)
     dry = data.scaling.all(varied=varied, water=False)
     curves = [(curve(wet, stage), *look) for stage, look in STAGES.items()]
     if dry:

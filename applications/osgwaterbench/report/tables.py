@@ -396,13 +396,14 @@ def scaling(data: BenchData) -> str:
                 [
                     varied,
                     rounding.count(row["value"]),
+                    rounding.slope(row["slope"]),
                     rounding.milliseconds(field(row, "image_ms.median")),
                     rounding.spread(row["trace_ms"]),
                     rounding.milliseconds(field(row, "frame_ms.median")),
                     rounding.milliseconds(without),
                 ]
             )
-    header = ["varied", "value", "image", "trace", "frame", "frame without water"]
+    header = ["varied", "value", "slope", "image", "trace", "frame", "frame without water"]
     return markdown(header, rows)
 
 

@@ -123,8 +123,8 @@ def who_wins(data: BenchData) -> str:
     )
 
 
-def verdict(data: BenchData, varied: str, what: str) -> str:
-    rows = data.scaling.all(varied=varied, water=True)
+def verdict(data: BenchData, varied: str, what: str, slope: float = bench.MAIN_SLOPE) -> str:
+    rows = data.scaling.all(varied=varied, slope=slope, water=True)
     values = sorted(row["value"] for row in rows)
     spread = derived.extremes(rows, "trace_ms.median")
     holds = (
@@ -151,12 +151,14 @@ def dry_growth(data: BenchData, varied: str) -> str:
 
 
 def verdicts(data: BenchData) -> str:
-    claims = {
-        "triangles": "Complexity of the scene, in triangles",
-        "waters": "Number of waters",
-        "corners": "Shape of the water, in corners of its outline",
-    }
-    lines = [verdict(data, varied, what) for varied, what in claims.items()]
+    waters, corners = "Number of waters", "Shape of the water, in corners of its outline"
+    lines = [
+        verdict(data, "triangles", "Complexity of the scene, in triangles"),
+        verdict(data, "waters", f"{waters}, when calm", bench.CALM),
+        verdict(data, "waters", f"{waters}, on waves"),
+        verdict(data, "corners", f"{corners}, when calm", bench.CALM),
+        verdict(data, "corners", f"{corners}, on waves"),
+    ]
     rows = data.scaling.all(varied="pixels", water=True)
     values = sorted(row["value"] for row in rows)
     lines.append(
@@ -293,7 +295,7 @@ def placeholders(data: BenchData, gpu: BenchData, link: str) -> dict:
         "paper_exponent": lambda: rounding.exponent(tables.paper_exponent()),
         # scaling
         "scaling_triangles": lambda: rounding.count(data.scaling.conditions["triangles"]),
-        "scaling_slope": lambda: rounding.slope(data.scaling.conditions["slope"]),
+        "scaling_slope": lambda: rounding.slope(bench.MAIN_SLOPE),
         "scaling_size": lambda: size(data.scaling.conditions),
         "scaling_verdicts": lambda: verdicts(data),
         # tables and plots
