@@ -50,7 +50,12 @@ runs() {
 
 accuracy() { runs accuracy; }
 table1() { runs table1; }
-scaling() { runs scaling; }
+scaling() {
+    runs scaling
+    for varied in triangles waters corners pixels; do
+        grep -q "\"$varied\"" "$work/scaling.json" || fail "expected $varied to be varied"
+    done
+}
 rivals() {
     runs rivals
     [ -s "$work/rivals-boxes.jpg" ] || fail "expected a picture, got none"
