@@ -56,7 +56,7 @@ void CompileShaders::operator()(osg::GraphicsContext* context)
                 {
                     const osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
                     stateSet->setAttributeAndModes(waterProgram(waves.get()));
-                    setVariant(*stateSet, search,
+                    setVariant(*stateSet, search, Images::ONE,
                                cubeMap ? SkySource::CUBE_MAP : SkySource::CAPTURED, debugView);
                     state.apply(stateSet);
                     const osg::Program::PerContextProgram* linked =

@@ -30,7 +30,7 @@ void ViewRecord::draw(osgUtil::CullVisitor& view, const WaterSurface& water,
     CameraCapture& entry = captureFor(*view.getCurrentCamera());
     entry.capture->require(view);
     const bool hierarchical = water.getReflection().search == Search::HIERARCHICAL;
-    if (hierarchical) entry.pyramid->require(view, *entry.capture);
+    if (hierarchical) entry.pyramid->require(*entry.capture);
     const Searched searched = {*entry.capture, hierarchical ? entry.pyramid.get() : nullptr};
     passFor(entry, water, sheet).draw(view, searched, water, sheet);
 }

@@ -63,6 +63,7 @@ Capture::Capture() :
     _camera->attach(osg::Camera::DEPTH_BUFFER, _windowZ);
     _stage->setCamera(_camera);
     _stage->setViewport(new osg::Viewport);
+    _camera->setViewport(_stage->getViewport());
 }
 
 bool Capture::serves(osgUtil::CullVisitor& view)
@@ -106,9 +107,10 @@ void Capture::resize(osgUtil::CullVisitor& view)
     if (scale == 0.0) scale = 1.0;
 
     const osg::Viewport& viewport = *view.getCurrentRenderStage()->getViewport();
-    const int width = std::max(1, static_cast<int>(std::lround(scale * viewport.width())));
-    const int height = std::max(1, static_cast<int>(std::lround(scale * viewport.height())));
-    _stage->getViewport()->setViewport(0, 0, width, height);
+    _size.x = std::max(1, static_cast<int>(std::lround(scale * viewport.width())));
+    _size.y = std::max(1, static_cast<int>(std::lround(scale * viewport.height())));
+    _capacity = _size;
+    _stage->getViewport()->setViewport(0, 0, _size.x, _size.y);
 
     const GLint format = colourFormat(*view.getCurrentCamera());
     if (format != _colour->getInternalFormat())
@@ -117,7 +119,20 @@ void Capture::resize(osgUtil::CullVisitor& view)
         _colour->dirtyTextureObject();
         _camera->dirtyAttachmentMap();
     }
-    _camera->resizeAttachments(width, height);
+    _camera->resizeAttachments(_capacity.x, _capacity.y);
+}
+
+Capture::DepthScale Capture::depthScale() const
+{
+    const bool orthographic = eyePointOf(_clipFromEye).w == 0.0;
+    if (orthographic) return {0.0, 0.5 * std::abs(_clipFromEye[2][2])};
+    return {0.5 * std::abs(_clipFromEye[3][2]), 0.0};
+}
+
+double Capture::pixelExtent() const
+{
+    const double clipXPerUnit = std::hypot(_clipFromEye[0][0], _clipFromEye[1][0]);
+    return 2.0 / (clipXPerUnit * _size.x);
 }
 
 void Capture::releaseGLObjects(osg::State* state) const

@@ -7,6 +7,7 @@
 #include <osg/Texture2D>
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 
 namespace osgWaterReflect
 {
@@ -38,8 +39,27 @@ public:
     osg::Texture2D* windowZ() const { return _windowZ.get(); }
     const osg::Vec4& clearColour() const { return _stage->getClearColor(); }
 
-    /// The capture's own projection, near and far as they were fitted; its eye is the view's.
+    /// [pixels] Of the lower left part of the textures that is in use, and of all.
+    const glm::ivec2& size() const { return _size; }
+    const glm::ivec2& capacity() const { return _capacity; }
+
+    /// From the view's eye space to the capture's own clip space, near and far as they were fitted.
     const glm::dmat4& clipFromEye() const { return _clipFromEye; }
+
+    /// How windowZ changes with depth: by perspective / depth, or by orthographic * depth. The one
+    /// that is not in use is 0.
+    struct DepthScale
+    {
+        double perspective = 0.0;
+        double orthographic = 0.0;
+    };
+    DepthScale depthScale() const;
+
+    /// Side of a pixel [world units]: at unit depth in perspective, else itself.
+    double pixelExtent() const;
+
+    /// What has rendered the capture when it is done.
+    osgUtil::RenderStage& stage() const { return *_stage; }
 
     /// Counts the culls that it was arranged in.
     unsigned int serial() const { return _serial; }
@@ -55,6 +75,8 @@ private:
     osg::ref_ptr<osg::Camera> _camera; // holds the attachments; it is no node of the scene
     osg::ref_ptr<osgUtil::RenderStage> _stage;
     osg::ref_ptr<CaptureVisitor> _visitor;
+    glm::ivec2 _size{0};
+    glm::ivec2 _capacity{0};
     glm::dmat4 _clipFromEye{1.0};
     unsigned int _serial = 0;
 };

@@ -68,11 +68,12 @@ void ImagePass::setInput(unsigned int unit, const char* name, osg::Texture2D* te
     bindings::set(*_stateSet, name, static_cast<int>(unit));
 }
 
-void ImagePass::require(osgUtil::CullVisitor& view, int width, int height)
+void ImagePass::require(osgUtil::RenderStage& stage, const glm::ivec2& size,
+                        const glm::ivec2& capacity)
 {
     _stateSet->setAttributeAndModes(program(_fragmentShader));
-    _stage->getViewport()->setViewport(0, 0, width, height);
-    _camera->resizeAttachments(width, height);
+    _stage->getViewport()->setViewport(0, 0, size.x, size.y);
+    _camera->resizeAttachments(capacity.x, capacity.y);
 
     // A stage drops what it draws with each frame.
     _stage->reset();
@@ -82,7 +83,7 @@ void ImagePass::require(osgUtil::CullVisitor& view, int width, int height)
     leaves->addLeaf(new osgUtil::RenderLeaf(_triangle, identity, identity));
     _stage->addStateGraph(leaves);
     _stage->sort();
-    view.getCurrentRenderStage()->addPreRenderStage(_stage, INT_MAX);
+    stage.addPostRenderStage(_stage, INT_MAX);
 }
 
 void ImagePass::releaseGLObjects(osg::State* state) const

@@ -5,15 +5,16 @@
 #include <osg/Geometry>
 #include <osg/Program>
 #include <osg/Texture2D>
-#include <osgUtil/CullVisitor>
 #include <osgUtil/RenderStage>
+
+#include <glm/vec2.hpp>
 
 #include <string>
 
 namespace osgWaterReflect
 {
 
-/// An image computed from other images by a fragment shader, rendered before a view's stage.
+/// An image computed from other images by a fragment shader.
 class ImagePass : public osg::Referenced
 {
 public:
@@ -27,9 +28,14 @@ public:
     /// A texture that the shader reads from a unit, under a name of Bindings.h.
     void setInput(unsigned int unit, const char* name, osg::Texture2D* texture);
 
-    /// Renders it after all that is to be rendered before the view's stage so far.
-    ///   width, height  [pixels] > 0
-    void require(osgUtil::CullVisitor& view, int width, int height);
+    /// For uniforms of the shader's own.
+    osg::StateSet& stateSet() { return *_stateSet; }
+
+    /// Renders it after a stage and all that is to be rendered after that so far, into the lower
+    /// left part of its image.
+    ///   size      [pixels] > 0; of that part
+    ///   capacity  [pixels] of the whole image, no smaller
+    void require(osgUtil::RenderStage& stage, const glm::ivec2& size, const glm::ivec2& capacity);
 
     osg::Texture2D* image() const { return _image.get(); }
 

@@ -15,9 +15,9 @@ const char* const FIND_BOUNDS = "pyramid_cells.frag";
 const char* const MERGE = "pyramid_merge.frag";
 const char* const PACK = "pyramid_pack.frag";
 
-int cellsOver(int length, int side)
+glm::ivec2 cellsOver(const glm::ivec2& size, int side)
 {
-    return (length + side - 1) / side;
+    return (size + side - 1) / side;
 }
 
 } // namespace
@@ -39,22 +39,28 @@ std::vector<osg::ref_ptr<osg::Program>> Pyramid::programs()
     return {ImagePass::program(FIND_BOUNDS), ImagePass::program(MERGE), ImagePass::program(PACK)};
 }
 
-void Pyramid::require(osgUtil::CullVisitor& view, const Capture& capture)
+void Pyramid::require(const Capture& capture)
 {
     if (_serial == capture.serial()) return;
     _serial = capture.serial();
 
-    osg::Texture2D* const windowZ = capture.windowZ();
-    _smallest->setInput(0, bindings::PYRAMID_SOURCE, windowZ);
-    const int width = cellsOver(windowZ->getTextureWidth(), CELL);
-    const int height = cellsOver(windowZ->getTextureHeight(), CELL);
-    const int middleWidth = cellsOver(width, CELLS_MERGED);
-    const int middleHeight = cellsOver(height, CELLS_MERGED);
-    _smallest->require(view, width, height);
-    _middle->require(view, middleWidth, middleHeight);
-    _large->require(view, cellsOver(middleWidth, CELLS_MERGED),
-                    cellsOver(middleHeight, CELLS_MERGED));
-    _cells->require(view, width, height);
+    _smallest->setInput(0, bindings::PYRAMID_SOURCE, capture.windowZ());
+    glm::ivec2 sourceSize = capture.size();
+    glm::ivec2 capacity = capture.capacity();
+    const auto build = [&](ImagePass& pass, int side)
+    {
+        bindings::set(pass.stateSet(), bindings::PYRAMID_SOURCE_SIZE,
+                      osg::Vec2(sourceSize.x, sourceSize.y));
+        sourceSize = cellsOver(sourceSize, side);
+        capacity = cellsOver(capacity, side);
+        pass.require(capture.stage(), sourceSize, capacity);
+    };
+    build(*_smallest, CELL);
+    const glm::ivec2 cells = sourceSize;
+    const glm::ivec2 cellCapacity = capacity;
+    build(*_middle, CELLS_MERGED);
+    build(*_large, CELLS_MERGED);
+    _cells->require(capture.stage(), cells, cellCapacity);
 }
 
 void Pyramid::releaseGLObjects(osg::State* state) const

@@ -29,9 +29,9 @@ class Pyramid : public osg::Referenced
 public:
     Pyramid();
 
-    /// Builds it between the capture and the view's current stage, unless that has been arranged
-    /// in this cull already.
-    void require(osgUtil::CullVisitor& view, const Capture& capture);
+    /// Builds it as soon as the capture is rendered, unless that has been arranged in this cull
+    /// already.
+    void require(const Capture& capture);
 
     /// All that building one runs, for those who compile ahead.
     static std::vector<osg::ref_ptr<osg::Program>> programs();

@@ -1,12 +1,14 @@
 // Every binding of the water's program: what the C++ side sets and what the stages hand on.
 // The library's prefix is written here and in trace/Bindings.h only; all other pieces use the
 // short names below.
-#pragma import_defines(OSGWR_SEARCH, OSGWR_SKY, OSGWR_OUTPUT)
+#pragma import_defines(OSGWR_SEARCH, OSGWR_IMAGES, OSGWR_SKY, OSGWR_OUTPUT)
 
 // The axes of variation, one enumerated define each.
 #define SEARCH_SEQUENTIAL 1
 #define SEARCH_BINARY 2
 #define SEARCH_HIERARCHICAL 3
+#define IMAGES_ONE 1
+#define IMAGES_TWO 2
 #define SKY_CAPTURED 1
 #define SKY_CUBE_MAP 2
 #define OUTPUT_WATER 1
@@ -16,32 +18,35 @@
 #define OUTPUT_NORMAL 5
 #define OUTPUT_HIT 6
 
-// The capture: an image of the scene without water, and the matrix it was taken with.
-uniform sampler2D osgwr_captureColour;   // the frame's colour, any format
-uniform sampler2D osgwr_captureWindowZ;  // windowZ in [0, 1]; 1 where nothing was drawn
-uniform vec2 osgwr_captureSize;          // [pixels]
-uniform mat4 osgwr_captureClipFromEye;
-uniform vec2 osgwr_captureDepthScale;    // (|C_zw|, |C_zz|) / 2; the one not in use is 0
-uniform float osgwr_capturePixelExtent;  // side of a pixel: at unit depth in perspective, else itself
+// A capture: an image of the scene without water, and the matrix it was taken with.
+struct Capture
+{
+    sampler2D colour;     // the frame's colour, any format
+    sampler2D windowZ;    // in [0, 1]; 1 where nothing was drawn
+    sampler2D cells;      // its pyramid (pyramid/Pyramid.h)
+    vec2 size;            // [pixels]
+    mat4 clipFromEye;     // from the view's eye space, wherever the capture's own eye is
+    vec2 depthScale;      // (|C_zw|, |C_zz|) / 2 of its own projection; the one not in use is 0
+    float pixelExtent;    // side of a pixel: at unit depth in perspective, else itself
+    float firstColumn;    // 1 where a ray's own pixel shows what lies under the water: nothing to
+                          // meet; 0 where it may be met there
+};
+uniform Capture osgwr_eyeCapture;
+uniform Capture osgwr_mirrorCapture;     // with IMAGES_TWO
 uniform vec3 osgwr_clearColour;
-#define captureColour osgwr_captureColour
-#define captureWindowZ osgwr_captureWindowZ
-#define captureSize osgwr_captureSize
-#define captureClipFromEye osgwr_captureClipFromEye
-#define captureDepthScale osgwr_captureDepthScale
-#define capturePixelExtent osgwr_capturePixelExtent
+#define eyeCapture osgwr_eyeCapture
+#define mirrorCapture osgwr_mirrorCapture
 #define clearColour osgwr_clearColour
 
-// The capture's pyramid: what its cells hold, and what the passes read that build it
-// (pyramid/Pyramid.h).
+// A capture's pyramid, and what the passes read that build it (pyramid/Pyramid.h).
 #define CELL 4          // [pixels] side of the smallest cells
 #define CELLS_MERGED 8  // side of a larger cell, in cells of the level below
-uniform sampler2D osgwr_pyramid;
 uniform sampler2D osgwr_pyramidSource;
+uniform vec2 osgwr_pyramidSourceSize;    // [texels] of its lower left part that is in use
 uniform sampler2D osgwr_pyramidMiddle;
 uniform sampler2D osgwr_pyramidLarge;
-#define pyramid osgwr_pyramid
 #define pyramidSource osgwr_pyramidSource
+#define pyramidSourceSize osgwr_pyramidSourceSize
 #define pyramidMiddle osgwr_pyramidMiddle
 #define pyramidLarge osgwr_pyramidLarge
 

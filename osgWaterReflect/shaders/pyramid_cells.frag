@@ -6,7 +6,7 @@ out vec4 bounds;
 // Nearest and farthest windowZ of each smallest cell of the capture.
 void main()
 {
-    ivec2 size = textureSize(pyramidSource, 0);
+    ivec2 size = ivec2(pyramidSourceSize);
     ivec2 first = CELL * ivec2(gl_FragCoord.xy);
     float nearest = 1.0;
     float farthest = 0.0;

@@ -6,7 +6,7 @@ out vec4 bounds;
 // Nearest windowZ of each larger cell, out of the cells of the level below.
 void main()
 {
-    ivec2 size = textureSize(pyramidSource, 0);
+    ivec2 size = ivec2(pyramidSourceSize);
     ivec2 first = CELLS_MERGED * ivec2(gl_FragCoord.xy);
     float nearest = 1.0;
     for (int y = 0; y < CELLS_MERGED; ++y)

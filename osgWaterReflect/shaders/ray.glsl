@@ -44,17 +44,17 @@ void clipRay(float origin, float slope, int reason,
     }
 }
 
-vec3 windowFromClip(vec4 clip)
+vec3 windowFromClip(Capture capture, vec4 clip)
 {
-    return (0.5 * clip.xyz / clip.w + 0.5) * vec3(captureSize, 1.0);
+    return (0.5 * clip.xyz / clip.w + 0.5) * vec3(capture.size, 1.0);
 }
 
-ImageRay projectRay(vec3 originEye, vec3 dirEye)
+ImageRay projectRay(Capture capture, vec3 originEye, vec3 dirEye)
 {
-    vec4 a = captureClipFromEye * vec4(originEye, 1.0);
-    vec4 b = captureClipFromEye * vec4(dirEye, 0.0);
+    vec4 a = capture.clipFromEye * vec4(originEye, 1.0);
+    vec4 b = capture.clipFromEye * vec4(dirEye, 0.0);
     // The centres of the border pixels bound what can be read.
-    vec2 border = 1.0 - 1.0 / captureSize;
+    vec2 border = 1.0 - 1.0 / capture.size;
 
     float tFirst = 0.0;
     float inverseLast = 0.0;
@@ -71,11 +71,11 @@ ImageRay projectRay(vec3 originEye, vec3 dirEye)
     // A start outside the image (rounding, at a border pixel) must not pass the end.
     vec4 startClip = tFirst * inverseLast < 1.0 ? a + tFirst * b : a;
     vec4 endClip = inverseLast * a + b;
-    ray.start = windowFromClip(startClip);
-    ray.end = windowFromClip(endClip);
+    ray.start = windowFromClip(capture, startClip);
+    ray.end = windowFromClip(capture, endClip);
     ray.inverseDepth = vec2(1.0 / startClip.w, inverseLast / endClip.w);
     ray.tOverDepth = vec2(tFirst / startClip.w, 1.0 / endClip.w);
-    ray.skyWindow = skyClip.w > 0.0 ? windowFromClip(skyClip).xy : ray.start.xy;
+    ray.skyWindow = skyClip.w > 0.0 ? windowFromClip(capture, skyClip).xy : ray.start.xy;
     ray.endReason = endReason;
     return ray;
 }

@@ -1,50 +1,120 @@
-// The colour that a reflected ray brings: found in the capture, or the sky's.
+// The colour that a reflected ray brings: found in a capture, or the sky's.
 
 // How much deeper than what hides it a ray may be, over the depth of the latter, to be shown its
 // colour. Houses and trees of a shore hide one another within half their distance; a branch ahead
 // of the eye hides things many times as far.
 const float HIDING_REACH = 0.5;
 
+// How far beyond the image's border a surface seen there is taken to go on, at its windowZ, before
+// the sky has taken its place [heights of the image].
+const float BORDER_REACH = 0.1;
+
 struct Reflection
 {
     vec3 colour;
     int reason;           // REASON_…
-    vec2 window;          // what shows that colour in the capture [pixels]; (-1, -1): the sky does
+    vec2 window;          // what shows that colour in its capture [pixels]; (-1, -1): the sky does
+    bool mirrored;        // that capture is the mirrored eye's
 };
 
-Reflection traceReflection(vec3 originEye, vec3 dirEye)
+// A ray's search in one capture.
+struct Sighting
 {
-    ImageRay ray = projectRay(originEye, dirEye);
-    TraceResult result = searchImage(ray);
+    ImageRay ray;
+    TraceResult result;
+};
+
+Sighting lookFor(Capture capture, vec3 originEye, vec3 dirEye)
+{
+    Sighting sighting;
+    sighting.ray = projectRay(capture, originEye, dirEye);
+    sighting.result = searchImage(capture, sighting.ray);
 
     // Through a wave's crest the eye sees what lies under the water; the ray in the air does not.
     // A thousandth of its length allows for the depth buffer's rounding.
-    if (result.reason == REASON_HIT)
+    if (sighting.result.reason == REASON_HIT)
     {
-        float rayLength = rayLengthAt(ray, result.s);
+        float rayLength = rayLengthAt(sighting.ray, sighting.result.s);
         vec4 hitSurface = surfaceFromEye * vec4(originEye + rayLength * dirEye, 1.0);
         float heightOverWater = side * (hitSurface.z - waveHeight(hitSurface.xy));
         if (heightOverWater < -0.001 * rayLength)
-            result.reason = REASON_BELOW_WATER;
+            sighting.result.reason = REASON_BELOW_WATER;
+    }
+    return sighting;
+}
+
+// Colour of a surface at a place between pixel centres: mixed of the four pixels about it, but not
+// of those that show something else.
+vec3 surfaceColour(Capture capture, ImageRay ray, TraceResult hit)
+{
+    if (hit.smoothAbout)
+        return finiteColour(textureLod(capture.colour, hit.window.xy / vec2(textureSize(capture.colour, 0)), 0.0).rgb);
+    float thick = thicknessWindowZ(capture, mix(ray.inverseDepth.x, ray.inverseDepth.y, hit.s));
+    vec2 fraction = fract(hit.window.xy - 0.5);
+    vec4 sum = vec4(0.0);
+    vec3 closest = vec3(0.0);
+    float closestZ = 2.0;
+    for (int i = 0; i < 4; ++i)
+    {
+        vec2 corner = vec2(i & 1, i >> 1);
+        vec2 pixel = clamp(floor(hit.window.xy - 0.5) + corner, vec2(0.0), capture.size - 1.0);
+        float apart = abs(capturedWindowZ(capture, pixel) - hit.window.z);
+        vec3 colour = finiteColour(texelFetch(capture.colour, ivec2(pixel), 0).rgb);
+        vec2 weights = mix(1.0 - fraction, fraction, corner);
+        if (apart <= thick) sum += weights.x * weights.y * vec4(colour, 1.0);
+        if (apart < closestZ)
+        {
+            closest = colour;
+            closestZ = apart;
+        }
+    }
+    return sum.a > 0.0 ? sum.rgb / sum.a : closest;
+}
+
+// Share of a surface at the image's border in what is shown of a ray that has left the image there:
+// all, where the ray would meet it at once, were it to go on at the same windowZ; none, where it
+// would not within BORDER_REACH. So a thing that the border cuts off does not end in an edge.
+float borderShare(Capture capture, ImageRay ray)
+{
+    float surfaceZ = capturedWindowZ(capture, ray.end.xy);
+    vec3 extent = ray.end - ray.start;
+    float room = surfaceZ - ray.end.z;
+    float reachZ = extent.z / max(length(extent.xy), 1e-6) * BORDER_REACH * capture.size.y;
+    bool meets = surfaceZ < 1.0 && room >= 0.0 && room < reachZ;
+    return meets ? smoothstep(1.0, 0.0, room / reachZ) : 0.0;
+}
+
+bool leftImage(int reason)
+{
+    return reason >= REASON_LEFT && reason <= REASON_TOP;
+}
+
+Reflection traceReflection(vec3 originEye, vec3 dirEye)
+{
+    Sighting sighting = lookFor(eyeCapture, originEye, dirEye);
+    ImageRay ray = sighting.ray;
+    TraceResult result = sighting.result;
+
+    Reflection reflection;
+    reflection.reason = result.reason;
+    reflection.window = vec2(-1.0);
+    reflection.mirrored = false;
+    if (result.reason == REASON_HIT)
+    {
+        reflection.colour = surfaceColour(eyeCapture, ray, result);
+        reflection.window = result.window.xy;
+        return reflection;
     }
 
     // A ray that ended behind something most often met its far side or what stands close behind:
     // what hides it is seen in its place. What is much nearer to the eye is no such thing.
     bool hiddenClosely = result.reason == REASON_BEHIND &&
-        result.hidden <= HIDING_REACH * captureDepthScale.x *
+        result.hidden <= HIDING_REACH * eyeCapture.depthScale.x *
                          mix(ray.inverseDepth.x, ray.inverseDepth.y, result.s);
-
-    Reflection reflection;
-    reflection.reason = result.reason;
-    if (result.reason == REASON_HIT || hiddenClosely)
-    {
-        reflection.colour = finiteColour(texelFetch(captureColour, ivec2(result.window), 0).rgb);
-        reflection.window = result.window;
-    }
-    else
-    {
-        reflection.colour = skyColour(ray, dirEye);
-        reflection.window = vec2(-1.0);
-    }
+    vec2 instead = hiddenClosely ? result.window.xy : ray.end.xy;
+    float share = hiddenClosely ? 1.0 : leftImage(result.reason) ? borderShare(eyeCapture, ray) : 0.0;
+    vec3 shown = finiteColour(texelFetch(eyeCapture.colour, ivec2(instead), 0).rgb);
+    reflection.colour = mix(skyColour(eyeCapture, ray, dirEye), shown, share);
+    if (share > 0.5) reflection.window = instead;
     return reflection;
 }

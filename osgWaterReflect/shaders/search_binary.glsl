@@ -1,7 +1,7 @@
 // The paper's binary search: halve the segment by whether its middle is behind the surface seen
 // there. About log2(n) fetches for n columns; but `behind` is not monotone along a ray, so hits
 // are missed (docs/how-it-works.md gives the share).
-TraceResult searchImage(ImageRay ray)
+TraceResult searchImage(Capture capture, ImageRay ray)
 {
     vec3 extent = ray.end - ray.start;
     float columns = max(abs(extent.x), abs(extent.y));
@@ -16,7 +16,7 @@ TraceResult searchImage(ImageRay ray)
     {
         float s = 0.5 * (sFront + sBehind);
         vec3 window = ray.start + s * extent;
-        float surfaceZ = capturedWindowZ(window.xy);
+        float surfaceZ = capturedWindowZ(capture, window.xy);
         float depth = window.z - surfaceZ;
         if (depth >= 0.0 && surfaceZ < 1.0)
         {
@@ -35,18 +35,19 @@ TraceResult searchImage(ImageRay ray)
     // The nearest place behind a surface is a hit if the ray came no further than its thickness.
     bool found = surfaceBehind < 1.0;
     float step = sBehind - sFront;
-    float thick = thicknessWindowZ(mix(ray.inverseDepth.x, ray.inverseDepth.y, sBehind));
+    float thick = thicknessWindowZ(capture, mix(ray.inverseDepth.x, ray.inverseDepth.y, sBehind));
     bool hit = found && behind <= thick + step * abs(extent.z);
     float firstShare = surfaceFront - surfaceBehind > thick ? 0.5 : 2.0;
 
     // Behind something else a ray may have come out again.
-    float endZ = capturedWindowZ(ray.end.xy);
+    float endZ = capturedWindowZ(capture, ray.end.xy);
     bool endsBehind = found && ray.end.z >= endZ && endZ < 1.0;
 
     TraceResult result;
     result.reason = hit ? REASON_HIT : endsBehind ? REASON_BEHIND : ray.endReason;
     result.s = crossing(sBehind, step, before, behind, firstShare);
     result.hidden = behind;
-    result.window = ray.start.xy + result.s * extent.xy;
+    result.smoothAbout = false;
+    result.window = ray.start + result.s * extent;
     return result;
 }

@@ -7,10 +7,10 @@ const vec3 CELL_SIDES = vec3(CELL, CELL * CELLS_MERGED, CELL * CELLS_MERGED * CE
 
 // Nearest windowZ of the smallest, middle and large cell about a place, and the farthest of the
 // smallest.
-vec4 pyramidCell(vec2 window)
+vec4 pyramidCell(Capture capture, vec2 window)
 {
     COUNT_DEPTH_FETCH
-    return texelFetch(pyramid, ivec2(window) / CELL, 0);
+    return texelFetch(capture.cells, ivec2(window) / CELL, 0);
 }
 
 // How many columns, from one at a place on, lie within the cell about it.
@@ -37,9 +37,9 @@ float columnsInFront(float columns, float nearest, float room, float perColumnZ)
     return nearest >= 1.0 ? columns : inFront;
 }
 
-TraceResult searchImage(ImageRay ray)
+TraceResult searchImage(Capture capture, ImageRay ray)
 {
-    Columns columns = columnsOf(ray, 1.0);
+    Columns columns = columnsOf(capture, ray, 1.0);
     vec3 extent = ray.end - ray.start;
     vec3 perColumn = columns.step * extent;
     float stepZ = min(columns.step, 1.0) * abs(extent.z);
@@ -58,7 +58,7 @@ TraceResult searchImage(ImageRay ray)
     while (i < columns.count && !meeting.hit)
     {
         vec3 window = ray.start + columnAt(columns, i) * extent;
-        vec4 cell = pyramidCell(window.xy);
+        vec4 cell = pyramidCell(capture, window.xy);
         vec3 room = cell.xyz - window.z - 0.5 * stepZ;
         float within = columnsWithin(CELL_SIDES.x, window.xy, way);
         float free = max(
@@ -77,28 +77,30 @@ TraceResult searchImage(ImageRay ray)
         {
             s = columnAt(columns, i);
             window = ray.start + s * extent;
-            float surfaceZ = capturedWindowZ(window.xy);
+            float surfaceZ = capturedWindowZ(capture, window.xy);
             behind = window.z - surfaceZ;
             bool reached = behind + 0.5 * stepZ >= 0.0 && surfaceZ < 1.0;
             if (reached && inFront)
             {
                 sBefore = i > 0 ? columnAt(columns, i - 1) : 0.0;
                 vec3 windowBefore = ray.start + sBefore * extent;
-                float previousZ = i > 0 ? capturedWindowZ(windowBefore.xy) : 0.0;
+                float previousZ = i > 0 ? capturedWindowZ(capture, windowBefore.xy) : 0.0;
                 before = i > 0 ? windowBefore.z - previousZ : 0.0;
-                meeting = meetSurface(surfaceZ, previousZ, behind, stepZ,
+                meeting = meetSurface(capture, surfaceZ, previousZ, behind, stepZ,
                                       mix(ray.inverseDepth.x, ray.inverseDepth.y, s));
-                sHidden = s;
-                hidden = behind;
+                if (!meeting.hit)
+                {
+                    sHidden = s;
+                    hidden = behind;
+                }
             }
             inFront = !reached;
         }
     }
 
-    TraceResult result;
-    result.reason = meeting.hit ? REASON_HIT : inFront ? ray.endReason : REASON_BEHIND;
-    result.s = meeting.hit ? placeOfHit(ray, meeting, sBefore, s, before, behind) : sHidden;
+    if (!meeting.hit) return missOf(ray, inFront, sHidden, hidden);
+    TraceResult result = hitAt(capture, ray, meeting, Sample(sBefore, before),
+                               Sample(s, behind), columns.step);
     result.hidden = hidden;
-    result.window = ray.start.xy + result.s * extent.xy;
     return result;
 }

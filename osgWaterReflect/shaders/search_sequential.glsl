@@ -1,8 +1,8 @@
 // Every column in turn: the paper's sequential search. One fetch a column. Background (windowZ 1)
 // is nothing to hit.
-TraceResult searchImage(ImageRay ray)
+TraceResult searchImage(Capture capture, ImageRay ray)
 {
-    Columns columns = columnsOf(ray, stride);
+    Columns columns = columnsOf(capture, ray, stride);
     vec3 extent = ray.end - ray.start;
     float stepZ = min(columns.step, 1.0) * abs(extent.z);
 
@@ -21,24 +21,26 @@ TraceResult searchImage(ImageRay ray)
         s = columnAt(columns, i);
         vec3 window = ray.start + s * extent;
         float previousZ = surfaceZ;
-        surfaceZ = capturedWindowZ(window.xy);
+        surfaceZ = capturedWindowZ(capture, window.xy);
         before = behind;
         behind = window.z - surfaceZ;
         bool reached = behind + 0.5 * stepZ >= 0.0 && surfaceZ < 1.0;
         if (reached && inFront)
         {
-            meeting = meetSurface(surfaceZ, previousZ, behind, stepZ,
+            meeting = meetSurface(capture, surfaceZ, previousZ, behind, stepZ,
                                   mix(ray.inverseDepth.x, ray.inverseDepth.y, s));
-            sHidden = s;
-            hidden = behind;
+            if (!meeting.hit)
+            {
+                sHidden = s;
+                hidden = behind;
+            }
         }
         inFront = !reached;
     }
 
-    TraceResult result;
-    result.reason = meeting.hit ? REASON_HIT : inFront ? ray.endReason : REASON_BEHIND;
-    result.s = meeting.hit ? placeOfHit(ray, meeting, sBefore, s, before, behind) : sHidden;
+    if (!meeting.hit) return missOf(ray, inFront, sHidden, hidden);
+    TraceResult result = hitAt(capture, ray, meeting, Sample(sBefore, before),
+                               Sample(s, behind), columns.step);
     result.hidden = hidden;
-    result.window = ray.start.xy + result.s * extent.xy;
     return result;
 }

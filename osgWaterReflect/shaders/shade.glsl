@@ -50,7 +50,7 @@ vec4 shadeWater(vec3 p, vec2 planePlace)
 #elif OSGWR_OUTPUT == OUTPUT_NORMAL
     return vec4(normal, -1.0);
 #elif OSGWR_OUTPUT == OUTPUT_HIT
-    return vec4(reflection.window, reflection.reason, depthFetches);
+    return vec4(reflection.window, reflection.reason + (reflection.mirrored ? 16 : 0), depthFetches);
 #else
 #error OSGWR_OUTPUT is not one of OUTPUT_
 #endif

@@ -9,21 +9,21 @@ vec3 finiteColour(vec3 colour)
 }
 
 #if OSGWR_SKY == SKY_CUBE_MAP
-vec3 skyColour(ImageRay ray, vec3 dirEye)
+vec3 skyColour(Capture capture, ImageRay ray, vec3 dirEye)
 {
     return finiteColour(textureLod(skyCubeMap, worldFromEye * dirEye, 0.0).rgb);
 }
 #elif OSGWR_SKY == SKY_CAPTURED
 // The sky that the scene itself draws (a dome without depth, or the clear colour), at the place
 // where the ray is last seen; where something stands there, the nearest sky above it.
-vec3 skyColour(ImageRay ray, vec3 dirEye)
+vec3 skyColour(Capture capture, ImageRay ray, vec3 dirEye)
 {
     ivec2 pixel = ivec2(ray.skyWindow);
-    int top = int(captureSize.y) - 1;
-    while (pixel.y < top && texelFetch(captureWindowZ, pixel, 0).r < 1.0)
+    int top = int(capture.size.y) - 1;
+    while (pixel.y < top && texelFetch(capture.windowZ, pixel, 0).r < 1.0)
         ++pixel.y;
-    bool background = texelFetch(captureWindowZ, pixel, 0).r >= 1.0;
-    return background ? finiteColour(texelFetch(captureColour, pixel, 0).rgb) : clearColour;
+    bool background = texelFetch(capture.windowZ, pixel, 0).r >= 1.0;
+    return background ? finiteColour(texelFetch(capture.colour, pixel, 0).rgb) : clearColour;
 }
 #else
 #error OSGWR_SKY is not one of SKY_

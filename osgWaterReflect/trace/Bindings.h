@@ -3,25 +3,34 @@
 
 #include <osg/StateSet>
 
+#include <string>
+
 /// The C++ side of shaders/interface.glsl: every name that the water's program shares with the
 /// scene it lives in, and the texture units.
 namespace osgWaterReflect::bindings
 {
 
 constexpr const char* DEFINE_SEARCH = "OSGWR_SEARCH";
+constexpr const char* DEFINE_IMAGES = "OSGWR_IMAGES";
 constexpr const char* DEFINE_SKY = "OSGWR_SKY";
 constexpr const char* DEFINE_OUTPUT = "OSGWR_OUTPUT";
 
-constexpr const char* CAPTURE_COLOUR = "osgwr_captureColour";
-constexpr const char* CAPTURE_WINDOW_Z = "osgwr_captureWindowZ";
-constexpr const char* CAPTURE_SIZE = "osgwr_captureSize";
-constexpr const char* CAPTURE_CLIP_FROM_EYE = "osgwr_captureClipFromEye";
-constexpr const char* CAPTURE_DEPTH_SCALE = "osgwr_captureDepthScale";
-constexpr const char* CAPTURE_PIXEL_EXTENT = "osgwr_capturePixelExtent";
+constexpr const char* EYE_CAPTURE = "osgwr_eyeCapture";
+constexpr const char* MIRROR_CAPTURE = "osgwr_mirrorCapture";
 constexpr const char* CLEAR_COLOUR = "osgwr_clearColour";
 
-constexpr const char* PYRAMID = "osgwr_pyramid";
+/// Members of a capture, behind its name.
+constexpr const char* COLOUR = ".colour";
+constexpr const char* WINDOW_Z = ".windowZ";
+constexpr const char* CELLS = ".cells";
+constexpr const char* SIZE = ".size";
+constexpr const char* CLIP_FROM_EYE = ".clipFromEye";
+constexpr const char* DEPTH_SCALE = ".depthScale";
+constexpr const char* PIXEL_EXTENT = ".pixelExtent";
+constexpr const char* FIRST_COLUMN = ".firstColumn";
+
 constexpr const char* PYRAMID_SOURCE = "osgwr_pyramidSource";
+constexpr const char* PYRAMID_SOURCE_SIZE = "osgwr_pyramidSourceSize";
 constexpr const char* PYRAMID_MIDDLE = "osgwr_pyramidMiddle";
 constexpr const char* PYRAMID_LARGE = "osgwr_pyramidLarge";
 
@@ -43,21 +52,21 @@ constexpr const char* WAVE_ITERATIONS = "osgwr_waveIterations";
 constexpr const char* WAVE_REACH = "osgwr_waveReach";
 constexpr const char* WAVE_RISE = "osgwr_waveRise";
 
-constexpr unsigned int UNIT_CAPTURE_COLOUR = 0;
-constexpr unsigned int UNIT_CAPTURE_WINDOW_Z = 1;
-constexpr unsigned int UNIT_SKY = 2;
-constexpr unsigned int UNIT_PYRAMID = 3;
-constexpr unsigned int NUM_UNITS = 4;
+/// Of the first of a capture's images; colour, windowZ and cells follow one another.
+constexpr unsigned int UNIT_EYE_CAPTURE = 0;
+constexpr unsigned int UNIT_MIRROR_CAPTURE = 3;
+constexpr unsigned int UNIT_SKY = 6;
+constexpr unsigned int NUM_UNITS = 7;
 
 /// Sets a uniform that nothing above in the scene graph may override.
 template <typename Value>
-void set(osg::StateSet& stateSet, const char* name, const Value& value)
+void set(osg::StateSet& stateSet, const std::string& name, const Value& value)
 {
     osg::Uniform* uniform = stateSet.getUniform(name);
     if (uniform)
         uniform->set(value);
     else
-        stateSet.addUniform(new osg::Uniform(name, value),
+        stateSet.addUniform(new osg::Uniform(name.c_str(), value),
                             osg::StateAttribute::ON | osg::StateAttribute::PROTECTED);
 }
 

@@ -41,40 +41,33 @@ SheetPass::SheetPass() : _stateSet(new osg::StateSet)
     _stateSet->setMode(GL_CULL_FACE, OFF);
     _stateSet->setMode(GL_DEPTH_TEST, ON);
     _stateSet->setAttribute(new osg::Depth(osg::Depth::LESS, 0.0, 1.0, true), ON);
-    bindings::set(*_stateSet, bindings::CAPTURE_COLOUR,
-                  static_cast<int>(bindings::UNIT_CAPTURE_COLOUR));
-    bindings::set(*_stateSet, bindings::CAPTURE_WINDOW_Z,
-                  static_cast<int>(bindings::UNIT_CAPTURE_WINDOW_Z));
     bindings::set(*_stateSet, bindings::SKY, static_cast<int>(bindings::UNIT_SKY));
-    bindings::set(*_stateSet, bindings::PYRAMID, static_cast<int>(bindings::UNIT_PYRAMID));
 }
 
-void SheetPass::setPyramid(const Pyramid* pyramid)
+void SheetPass::setSearched(const Searched& searched, const std::string& name, unsigned int unit)
 {
-    if (pyramid)
-        _stateSet->setTextureAttribute(bindings::UNIT_PYRAMID, pyramid->cells(), ON);
+    const Capture& capture = searched.capture;
+    const auto setImage = [&](const char* member, osg::Texture2D* image)
+    {
+        _stateSet->setTextureAttribute(unit, image, ON);
+        bindings::set(*_stateSet, name + member, static_cast<int>(unit));
+        ++unit;
+    };
+    setImage(bindings::COLOUR, capture.colour());
+    setImage(bindings::WINDOW_Z, capture.windowZ());
+    if (searched.pyramid)
+        setImage(bindings::CELLS, searched.pyramid->cells());
     else
-        _stateSet->removeTextureAttribute(bindings::UNIT_PYRAMID, osg::StateAttribute::TEXTURE);
-}
+        _stateSet->removeTextureAttribute(unit, osg::StateAttribute::TEXTURE);
 
-void SheetPass::setCapture(const Capture& capture)
-{
-    _stateSet->setTextureAttribute(bindings::UNIT_CAPTURE_COLOUR, capture.colour(), ON);
-    _stateSet->setTextureAttribute(bindings::UNIT_CAPTURE_WINDOW_Z, capture.windowZ(), ON);
-    bindings::set(
-        *_stateSet, bindings::CAPTURE_SIZE,
-        osg::Vec2(capture.colour()->getTextureWidth(), capture.colour()->getTextureHeight()));
-
-    const glm::dmat4& clipFromEye = capture.clipFromEye();
-    const bool orthographic = eyePointOf(clipFromEye).w == 0.0;
-    const double perspectiveScale = orthographic ? 0.0 : 0.5 * std::abs(clipFromEye[3][2]);
-    const double orthographicScale = orthographic ? 0.5 * std::abs(clipFromEye[2][2]) : 0.0;
-    bindings::set(*_stateSet, bindings::CAPTURE_CLIP_FROM_EYE, toOsgFloat(clipFromEye));
-    bindings::set(*_stateSet, bindings::CAPTURE_DEPTH_SCALE,
-                  osg::Vec2(perspectiveScale, orthographicScale));
-    const double clipXPerUnit = std::hypot(clipFromEye[0][0], clipFromEye[1][0]);
-    bindings::set(*_stateSet, bindings::CAPTURE_PIXEL_EXTENT,
-                  static_cast<float>(2.0 / (clipXPerUnit * capture.colour()->getTextureWidth())));
+    const Capture::DepthScale depthScale = capture.depthScale();
+    bindings::set(*_stateSet, name + bindings::SIZE, osg::Vec2(capture.size().x, capture.size().y));
+    bindings::set(*_stateSet, name + bindings::CLIP_FROM_EYE, toOsgFloat(capture.clipFromEye()));
+    bindings::set(*_stateSet, name + bindings::DEPTH_SCALE,
+                  osg::Vec2(depthScale.perspective, depthScale.orthographic));
+    bindings::set(*_stateSet, name + bindings::PIXEL_EXTENT,
+                  static_cast<float>(capture.pixelExtent()));
+    bindings::set(*_stateSet, name + bindings::FIRST_COLUMN, 1.0f);
 
     const osg::Vec4& clear = capture.clearColour();
     bindings::set(*_stateSet, bindings::CLEAR_COLOUR, osg::Vec3(clear.r(), clear.g(), clear.b()));
@@ -85,7 +78,7 @@ void SheetPass::setWater(const WaterSurface& water)
     _stateSet->setAttributeAndModes(waterProgram(water.getWaves()), ON);
 
     osg::TextureCubeMap* sky = const_cast<osg::TextureCubeMap*>(water.getSky());
-    setVariant(*_stateSet, water.getReflection().search,
+    setVariant(*_stateSet, water.getReflection().search, Images::ONE,
                sky ? SkySource::CUBE_MAP : SkySource::CAPTURED, water.getDebugView());
     if (sky)
         _stateSet->setTextureAttribute(bindings::UNIT_SKY, sky, ON);
@@ -149,8 +142,7 @@ void SheetPass::draw(osgUtil::CullVisitor& view, const Searched& searched,
     sheetView.shortestEdge = waves ? waves->getShortestLength() / EDGES_PER_WAVE : 0.0;
 
     const Mesh mesh = prepareMesh(water, sheet, sheetView, time);
-    setCapture(searched.capture);
-    setPyramid(searched.pyramid);
+    setSearched(searched, bindings::EYE_CAPTURE, bindings::UNIT_EYE_CAPTURE);
     setWater(water);
     setView(sheetView, fromOsg(*view.getCurrentRenderStage()->getInitialViewMatrix()), mesh.anchor,
             waves, time);

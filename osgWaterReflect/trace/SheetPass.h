@@ -48,8 +48,10 @@ private:
     Mesh prepareMesh(const WaterSurface& water, const StillWater& sheet, const SheetView& view,
                      double time);
 
-    void setCapture(const Capture& capture);
-    void setPyramid(const Pyramid* pyramid);
+    /// Hands a capture to the shader.
+    ///   name  of its uniforms
+    ///   unit  of the first of its textures
+    void setSearched(const Searched& searched, const std::string& name, unsigned int unit);
     void setWater(const WaterSurface& water);
     void setView(const SheetView& view, const glm::dmat4& eyeFromWorld, const glm::dvec2& anchor,
                  const WaveModel* waves, double time);

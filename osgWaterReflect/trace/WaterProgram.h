@@ -19,12 +19,19 @@ enum class SkySource
     CUBE_MAP
 };
 
+/// How many captures a ray is looked for in: the values of OSGWR_IMAGES.
+enum class Images
+{
+    ONE = 1,
+    TWO ///< the eye's, and then the mirrored eye's
+};
+
 /// The program of all water whose waves have the same GLSL piece; null stands for calm water. It
 /// exists as long as somebody holds it.
 osg::ref_ptr<osg::Program> waterProgram(const WaveModel* waves);
 
 /// Chooses a variant of the program: one value for each axis.
-void setVariant(osg::StateSet& stateSet, Search search, SkySource sky,
+void setVariant(osg::StateSet& stateSet, Search search, Images images, SkySource sky,
                 WaterSurface::DebugView debugView);
 
 } // namespace osgWaterReflect

@@ -28,29 +28,39 @@ osg::ref_ptr<WaterSurface> createWater(Search search)
     return water;
 }
 
-// A texture that a stage before the view's rendered, by the name of its camera; floats.
+// A texture that a stage rendered, or one after it, by the name of its camera; floats.
+osg::ref_ptr<osg::Image> readPass(osgViewer::Viewer& viewer, osgUtil::RenderStage& stage,
+                                  const std::string& cameraName)
+{
+    const osg::Camera* camera = stage.getCamera();
+    if (!camera || camera->getName() != cameraName)
+    {
+        osg::ref_ptr<osg::Image> image;
+        for (const auto& before : stage.getPreRenderList())
+            if (!image) image = readPass(viewer, *before.second, cameraName);
+        for (const auto& after : stage.getPostRenderList())
+            if (!image) image = readPass(viewer, *after.second, cameraName);
+        return image;
+    }
+    const auto& attachments = camera->getBufferAttachmentMap();
+    auto* texture = dynamic_cast<osg::Texture2D*>(attachments.begin()->second._texture.get());
+    REQUIRE(texture);
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(texture->getTextureWidth(), texture->getTextureHeight(), 1, GL_RGBA,
+                         GL_FLOAT);
+    osg::GraphicsContext& context = *viewer.getCamera()->getGraphicsContext();
+    context.makeCurrent();
+    context.getState()->applyTextureAttribute(0, texture);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, image->data());
+    return image;
+}
+
 osg::ref_ptr<osg::Image> readPass(osgViewer::Viewer& viewer, const std::string& cameraName)
 {
     auto* renderer = dynamic_cast<osgViewer::Renderer*>(viewer.getCamera()->getRenderer());
     REQUIRE(renderer);
-    osg::GraphicsContext& context = *viewer.getCamera()->getGraphicsContext();
-    for (const auto& before : renderer->getSceneView(0)->getRenderStage()->getPreRenderList())
-    {
-        const osg::Camera* camera = before.second->getCamera();
-        if (!camera || camera->getName() != cameraName) continue;
-        const auto& attachments = camera->getBufferAttachmentMap();
-        auto* texture = dynamic_cast<osg::Texture2D*>(attachments.begin()->second._texture.get());
-        REQUIRE(texture);
-        osg::ref_ptr<osg::Image> image = new osg::Image;
-        image->allocateImage(texture->getTextureWidth(), texture->getTextureHeight(), 1, GL_RGBA,
-                             GL_FLOAT);
-        context.makeCurrent();
-        context.getState()->applyTextureAttribute(0, texture);
-        glPixelStorei(GL_PACK_ALIGNMENT, 1);
-        glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, image->data());
-        return image;
-    }
-    return nullptr;
+    return readPass(viewer, *renderer->getSceneView(0)->getRenderStage(), cameraName);
 }
 
 // Two steps of a 24-bit depth buffer, for what it holds is read back and fetched in two ways.

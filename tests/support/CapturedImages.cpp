@@ -38,7 +38,7 @@ void collect(const CapturedImages& to, osg::State& state, const osgUtil::RenderS
     {
         const osgUtil::RenderStage& before = *entry.second;
         const osg::Camera* camera = before.getCamera();
-        ++to.stages;
+        to.stages += 1 + before.getPostRenderList().size();
         collect(to, state, before);
         if (!camera || camera->getName() != Capture::CAMERA_NAME) continue;
 

@@ -164,7 +164,11 @@ void BenchView::watchImages()
 {
     auto& renderer = dynamic_cast<osgViewer::Renderer&>(*_viewer.getCamera()->getRenderer());
     for (const auto& before : renderer.getSceneView(0)->getRenderStage()->getPreRenderList())
+    {
         _clock->watchImage(*before.second->getCamera());
+        for (const auto& after : before.second->getPostRenderList())
+            _clock->watchImage(*after.second->getCamera());
+    }
 }
 
 FrameTime BenchView::time()

@@ -8,13 +8,13 @@
 Reflection traceReflection(vec3 originEye, vec3 dirEye)
 {
     // From the pixel's own place on.
-    ImageRay ray = projectRay(originEye, dirEye);
-    vec4 startClip = captureClipFromEye * vec4(originEye, 1.0);
-    ImageColumns columns = columnsBetween(windowFromClip(startClip).xy, ray.end.xy);
+    ImageRay ray = projectRay(eyeCapture, originEye, dirEye);
+    vec4 startClip = eyeCapture.clipFromEye * vec4(originEye, 1.0);
+    ImageColumns columns = columnsBetween(windowFromClip(eyeCapture, startClip).xy, ray.end.xy);
     for (int i = 0; i < columns.count; ++i)
     {
         vec2 window = crossingAt(columns, i);
-        float windowZ = capturedWindowZ(window);
+        float windowZ = capturedWindowZ(eyeCapture, window);
         float rayDepth =
             1.0 / mix(1.0 / startClip.w, ray.inverseDepth.y, shareAt(columns, i));
         float behind = rayDepth - eyeDepthAt(windowZ);

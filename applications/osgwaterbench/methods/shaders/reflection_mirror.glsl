@@ -30,7 +30,7 @@ Reflection traceReflection(vec3 originEye, vec3 dirEye)
 
     COUNT_DEPTH_FETCH
     if (texelFetch(bench_mirrorWindowZ, ivec2(window), 0).r >= 1.0)
-        return answerSky(projectRay(originEye, dirEye), dirEye, REASON_SKY);
+        return answerSky(projectRay(eyeCapture, originEye, dirEye), dirEye, REASON_SKY);
     vec3 colour = finiteColour(texelFetch(bench_mirrorColour, ivec2(window), 0).rgb);
-    return Reflection(colour, REASON_HIT, window);
+    return Reflection(colour, REASON_HIT, window, false);
 }

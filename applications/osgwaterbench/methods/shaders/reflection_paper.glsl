@@ -10,9 +10,9 @@
 // The inverse of a perspective projection, off axis too.
 vec3 eyeFromWindow(vec2 window, float windowZ)
 {
-    vec2 ndc = 2.0 * window / captureSize - 1.0;
-    vec2 offAxis = vec2(captureClipFromEye[2][0], captureClipFromEye[2][1]);
-    vec2 scale = vec2(captureClipFromEye[0][0], captureClipFromEye[1][1]);
+    vec2 ndc = 2.0 * window / eyeCapture.size - 1.0;
+    vec2 offAxis = vec2(eyeCapture.clipFromEye[2][0], eyeCapture.clipFromEye[2][1]);
+    vec2 scale = vec2(eyeCapture.clipFromEye[0][0], eyeCapture.clipFromEye[1][1]);
     return eyeDepthAt(windowZ) * vec3((ndc + offAxis) / scale, -1.0);
 }
 
@@ -21,11 +21,11 @@ bool isBehind(vec2 crossing, bool alongX, vec3 originEye, vec3 dirEye)
 {
     vec2 across = alongX ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
     float between = dot(crossing, across);
-    float first = clamp(floor(between - 0.5) + 0.5, 0.5, dot(captureSize, across) - 1.5);
+    float first = clamp(floor(between - 0.5) + 0.5, 0.5, dot(eyeCapture.size, across) - 1.5);
     vec2 firstPixel = alongX ? vec2(crossing.x, first) : vec2(first, crossing.y);
     vec2 secondPixel = firstPixel + across;
-    float firstZ = capturedWindowZ(firstPixel);
-    float secondZ = capturedWindowZ(secondPixel);
+    float firstZ = capturedWindowZ(eyeCapture, firstPixel);
+    float secondZ = capturedWindowZ(eyeCapture, secondPixel);
     vec3 firstEye = eyeFromWindow(firstPixel, firstZ);
     vec3 secondEye = eyeFromWindow(secondPixel, secondZ);
 
@@ -44,8 +44,8 @@ bool isBehind(vec2 crossing, bool alongX, vec3 originEye, vec3 dirEye)
 Reflection traceReflection(vec3 originEye, vec3 dirEye)
 {
     // From the pixel's own place to where the ray, followed for ever, is last seen.
-    ImageRay ray = projectRay(originEye, dirEye);
-    vec2 start = windowFromClip(captureClipFromEye * vec4(originEye, 1.0)).xy;
+    ImageRay ray = projectRay(eyeCapture, originEye, dirEye);
+    vec2 start = windowFromClip(eyeCapture, eyeCapture.clipFromEye * vec4(originEye, 1.0)).xy;
     ImageColumns columns = columnsBetween(start, ray.skyWindow);
     int found = searchColumns(columns, originEye, dirEye);
     if (found == columns.count) return answerSky(ray, dirEye, ray.endReason);

@@ -3,5 +3,5 @@
 
 Reflection traceReflection(vec3 originEye, vec3 dirEye)
 {
-    return answerSky(projectRay(originEye, dirEye), dirEye, REASON_SKY);
+    return answerSky(projectRay(eyeCapture, originEye, dirEye), dirEye, REASON_SKY);
 }
