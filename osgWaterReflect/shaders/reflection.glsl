@@ -13,7 +13,8 @@ struct Reflection
 {
     vec3 colour;
     int reason;           // REASON_…
-    vec2 window;          // what shows that colour in its capture [pixels]; (-1, -1): the sky does
+    vec2 window;          // what shows that colour in its capture [pixels]; (-1, -1): the sky does,
+                          // and what the image's border goes on with
     bool mirrored;        // that capture is the mirrored eye's
 };
 
@@ -48,7 +49,10 @@ Sighting lookFor(Capture capture, vec3 originEye, vec3 dirEye)
 vec3 surfaceColour(Capture capture, ImageRay ray, TraceResult hit)
 {
     if (hit.smoothAbout)
-        return finiteColour(textureLod(capture.colour, hit.window.xy / vec2(textureSize(capture.colour, 0)), 0.0).rgb);
+    {
+        vec2 uv = hit.window.xy / vec2(textureSize(capture.colour, 0));
+        return finiteColour(textureLod(capture.colour, uv, 0.0).rgb);
+    }
     float thick = thicknessWindowZ(capture, mix(ray.inverseDepth.x, ray.inverseDepth.y, hit.s));
     vec2 fraction = fract(hit.window.xy - 0.5);
     vec4 sum = vec4(0.0);
@@ -115,6 +119,6 @@ Reflection traceReflection(vec3 originEye, vec3 dirEye)
     float share = hiddenClosely ? 1.0 : leftImage(result.reason) ? borderShare(eyeCapture, ray) : 0.0;
     vec3 shown = finiteColour(texelFetch(eyeCapture.colour, ivec2(instead), 0).rgb);
     reflection.colour = mix(skyColour(eyeCapture, ray, dirEye), shown, share);
-    if (share > 0.5) reflection.window = instead;
+    if (hiddenClosely) reflection.window = instead;
     return reflection;
 }

@@ -33,6 +33,9 @@ Method worsened(const std::string& piece, const std::string& line, const std::st
     return method;
 }
 
+// Of reflection.glsl.
+const std::string FOUND = "sighting.result = searchImage(capture, sighting.ray);";
+
 double percent(const Accuracy& accuracy, TrueClass trueClass, Outcome outcome)
 {
     return accuracy.measures.of(trueClass).percent(outcome).value();
@@ -59,9 +62,9 @@ TEST_CASE("a search that is made worse is caught by every measure meant to catch
     SECTION("hits are 3 px beside the place")
     {
         const Accuracy worse = measurement.measure(
-            worsened("reflection.glsl", "TraceResult result = searchImage(ray);",
-                     "TraceResult result = searchImage(ray); result.window.x = "
-                     "min(result.window.x + 3.0, captureSize.x - 0.5);"));
+            worsened("reflection.glsl", FOUND,
+                     FOUND + " sighting.result.window.x = "
+                             "min(sighting.result.window.x + 3.0, capture.size.x - 0.5);"));
         CHECK(percent(worse, TrueClass::VISIBLE, Outcome::MISPLACED) > 80.0);
         CHECK(worse.measures.hitErrorPixels.value().median == Approx(3.0).margin(0.1));
         CHECK(worse.search.value().disagreedPercent().value() > ownDisagreed + 20.0);
@@ -72,8 +75,7 @@ TEST_CASE("a search that is made worse is caught by every measure meant to catch
     SECTION("nothing is found")
     {
         const Accuracy worse = measurement.measure(
-            worsened("reflection.glsl", "TraceResult result = searchImage(ray);",
-                     "TraceResult result = searchImage(ray); result.reason = REASON_SKY;"));
+            worsened("reflection.glsl", FOUND, FOUND + " sighting.result.reason = REASON_SKY;"));
         CHECK(percent(worse, TrueClass::VISIBLE, Outcome::MISSED) == 100.0);
         CHECK(percent(worse, TrueClass::SKY, Outcome::CORRECT) == 100.0);
         CHECK(!worse.measures.hitErrorPixels);
@@ -90,13 +92,15 @@ TEST_CASE("a search that is made worse is caught by every measure meant to catch
             worsened("search.glsl", "meeting.hit = behind <=", "meeting.hit = true || behind <="));
         CHECK(percent(thin, TrueClass::SKY, Outcome::FALSE_HIT) < 1.0);
         CHECK(percent(worse, TrueClass::SKY, Outcome::FALSE_HIT) > 50.0);
-        CHECK(worse.picture.rmse > 1.2 * thin.picture.rmse);
+        // Colours are mixed of pixels as deep as the hit, so edges of the branch show what is
+        // beside.
+        CHECK(worse.picture.rmse > 1.05 * thin.picture.rmse);
     }
     SECTION("colours are darker, places the same")
     {
         const Accuracy worse = measurement.measure(
-            worsened("reflection.glsl", "Reflection reflection;",
-                     "Reflection reflection;\n#define finiteColour(c) (0.8 * finiteColour(c))"));
+            worsened("reflection.glsl", "struct Sighting\n",
+                     "#define finiteColour(c) (0.8 * finiteColour(c))\nstruct Sighting\n"));
         CHECK(percent(worse, TrueClass::VISIBLE, Outcome::CORRECT) == ownRight);
         CHECK(worse.picture.rmse > 1.1 * own.picture.rmse);
     }
