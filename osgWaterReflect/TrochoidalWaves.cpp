@@ -121,6 +121,16 @@ double TrochoidalWaves::getAmplitude() const
     return sum;
 }
 
+// Let the slope be m u, with u of unit length, J the Jacobian of the place by the rest place and g
+// the height's gradient by the rest place. J m u = g, so that m = (u . g) / (u . J u), which is at
+// most sum s |sin| / (1 - sum s |cos|), s being each wave's steepness: with their sum S at most
+// S sin / (1 - S cos) of one angle, whose largest value this is, where the cosine is S.
+double TrochoidalWaves::getMaxSlope() const
+{
+    const double steepness = getSteepness();
+    return steepness / std::sqrt(1.0 - steepness * steepness);
+}
+
 double TrochoidalWaves::getShortestLength() const
 {
     double shortest = std::numeric_limits<double>::infinity();

@@ -1,6 +1,7 @@
 #include "StillWater.h"
 
 #include "../Transforms.h"
+#include "ConvexHull.h"
 
 #include <osg/Notify>
 #include <osg/TriangleFunctor>
@@ -135,6 +136,7 @@ osg::ref_ptr<StillWater> StillWater::create(const std::vector<glm::dvec3>& point
     osg::ref_ptr<StillWater> water = new StillWater;
     water->_localFromSurface = planeFrame(glm::normalize(area), centre);
     water->addTriangles(points);
+    water->_hull = convexHull(water->_corners);
     water->createCalmMesh();
     return water;
 }

@@ -35,6 +35,9 @@ public:
     const std::vector<glm::dvec2>& corners() const { return _corners; }
     const std::vector<unsigned int>& triangles() const { return _triangles; }
 
+    /// The corners' convex hull, counter-clockwise.
+    const std::vector<glm::dvec2>& hull() const { return _hull; }
+
     /// Local bounds of the water when waves of an amplitude [local units] move it.
     osg::BoundingBox localBound(double amplitude) const;
 
@@ -55,6 +58,7 @@ private:
     osg::BoundingBox _stillBound; // local
     std::vector<glm::dvec2> _corners;
     std::vector<unsigned int> _triangles;
+    std::vector<glm::dvec2> _hull;
     glm::dvec2 _calmAnchor{0.0};
     osg::ref_ptr<osg::Geometry> _calmMesh;
 };

@@ -6,6 +6,8 @@
 #include <osgwaterbench/methods/Methods.h>
 #include <osgwaterbench/scenes/HarnessWaves.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -41,4 +43,20 @@ TEST_CASE("harness waves have the same normals in GLSL, at height 0")
             CHECK(answers[i].w() == 0.0f);
         }
     }
+}
+
+// Falls when getMaxSlope leaves out the slope, or a wave's sign.
+TEST_CASE("harness waves get as steep as the stated bound, and no steeper")
+{
+    const osg::ref_ptr<HarnessWaves> waves = new HarnessWaves;
+    CHECK(waves->getMaxSlope() == 0.0);
+    REQUIRE(waves->setWaves({{{0.8, 0.6}, 3.0, 0.0, 1.0}, {{-0.4, 0.9}, 4.7, 1.0, -0.6}}, 0.15));
+    double steepest = 0.0;
+    for (int i = 0; i < 100000; ++i)
+    {
+        const osg::Vec3d normal = waves->getNormal(osg::Vec2d(0.37 * i, 0.11 * i), 0.0);
+        steepest = std::max(steepest, std::hypot(normal.x(), normal.y()) / normal.z());
+    }
+    CHECK(steepest <= waves->getMaxSlope() * (1.0 + 1e-12));
+    CHECK(steepest > 0.99 * waves->getMaxSlope());
 }

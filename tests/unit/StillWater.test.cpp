@@ -6,6 +6,7 @@
 
 #include <osgWaterReflect/TrochoidalWaves>
 #include <osgWaterReflect/WaterSurface>
+#include <osgWaterReflect/surface/ConvexHull.h>
 #include <osgWaterReflect/surface/StillWater.h>
 
 #include <osgUtil/Optimizer>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 using namespace osgWaterReflect;
 using namespace dividedWater;
@@ -75,6 +77,50 @@ TEST_CASE("a curved drawable is laid in its mean plane, with a message")
     CHECK(sheets[0]->localFromSurface()[2][2] == Approx(1.0));
     // The mean of x^2 / 400 over the strips' corners, of which the outer ones count half.
     CHECK(std::abs(sheets[0]->localFromSurface()[3][2] - 1.0 / 3.0) < 0.01);
+}
+
+// Falls when appendChain() keeps corners on a line (< for <=), or the second chain is left out.
+TEST_CASE("a sheet's hull is the smallest convex polygon around its corners")
+{
+    const auto turn = [](const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
+    { return signedArea(a, b, c); };
+    std::mt19937 random(1);
+    std::uniform_int_distribution<int> coordinate(-6, 6); // many coincide or lie on lines
+    for (int count = 3; count < 200; ++count)
+    {
+        std::vector<glm::dvec2> points;
+        for (int i = 0; i < count; ++i)
+            points.push_back(glm::dvec2(coordinate(random), coordinate(random)));
+        const std::vector<glm::dvec2> hull = convexHull(points);
+        for (std::size_t i = 0; i < hull.size() && hull.size() > 2; ++i)
+        {
+            const glm::dvec2& a = hull[i];
+            const glm::dvec2& b = hull[(i + 1) % hull.size()];
+            REQUIRE(turn(a, b, hull[(i + 2) % hull.size()]) > 0.0);
+            REQUIRE(std::count(points.begin(), points.end(), a) > 0);
+            for (const glm::dvec2& point : points)
+                REQUIRE(turn(a, b, point) >= 0.0);
+        }
+    }
+    CHECK(convexHull({}).empty());
+    CHECK(convexHull({{1, 2}, {1, 2}}).size() == 1);
+    CHECK(convexHull({{0, 0}, {2, 2}, {1, 1}}) == std::vector<glm::dvec2>{{0, 0}, {2, 2}});
+
+    // An L of two rectangles: its inner corner is left out.
+    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+    for (const osg::Vec3& v :
+         {osg::Vec3(0, 0, 3), osg::Vec3(4, 0, 3), osg::Vec3(4, 1, 3), osg::Vec3(0, 1, 3),
+          osg::Vec3(1, 1, 3), osg::Vec3(1, 5, 3), osg::Vec3(0, 5, 3)})
+        vertices->push_back(v);
+    geometry->setVertexArray(vertices);
+    osg::ref_ptr<osg::DrawElementsUInt> indices = new osg::DrawElementsUInt(GL_TRIANGLES);
+    for (unsigned int i : {0, 1, 2, 0, 2, 3, 3, 4, 5, 3, 5, 6})
+        indices->push_back(i);
+    geometry->addPrimitiveSet(indices);
+    const auto sheets = StillWater::createSheets(*geometry);
+    REQUIRE(sheets.size() == 1);
+    CHECK(sheets[0]->hull() == std::vector<glm::dvec2>{{0, 0}, {4, 0}, {4, 1}, {1, 5}, {0, 5}});
 }
 
 // Falls when splitByPlane() takes the first triangle's plane for all, or the smallest first.

@@ -286,6 +286,37 @@ TEST_CASE("the stated amplitude bounds the height, and the shortest wave is the 
     CHECK(std::isinf(wavesOf({})->getShortestLength()));
 }
 
+// Falls when getMaxSlope returns the steepness.
+TEST_CASE("no slope is above the stated bound, and one wave comes up to it")
+{
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> anywhere(-50.0, 50.0);
+    const auto steepest = [&](const TrochoidalWaves& waves, int places)
+    {
+        double slope = 0.0;
+        for (int i = 0; i < places; ++i)
+        {
+            const osg::Vec3d normal =
+                waves.getNormal(osg::Vec2d(anywhere(random), anywhere(random)), anywhere(random));
+            slope = std::max(slope, std::hypot(normal.x(), normal.y()) / normal.z());
+        }
+        return slope;
+    };
+    for (double steepness : {0.05, 0.4, 0.8, 0.99})
+        for (const std::vector<TrochoidalWave>& list : systems(steepness))
+        {
+            osg::ref_ptr<TrochoidalWaves> waves = wavesOf(list);
+            const double slope = steepest(*waves, 2000);
+            // To rounding: one wave has such places, if rarely.
+            CHECK(slope <= waves->getMaxSlope() * (1.0 + 1e-9));
+            // Of one wave among 2,000 places one is within a hundredth of the steepest.
+            if (list.size() == 1) CHECK(slope > 0.99 * waves->getMaxSlope());
+        }
+    CHECK(wavesOf({})->getMaxSlope() == 0.0);
+    // The 3-4-5 triangle.
+    CHECK(wavesOf({steepWave(0.6, 2.0)})->getMaxSlope() == Approx(0.75));
+}
+
 // Falls when createBreeze spreads `fmod(i * goldenTurn, 1.0) - 0.5`: the longest wave then runs 30
 // degrees beside; and with ratio = 0.7071.
 TEST_CASE("a breeze has the steepness it was asked for, blows where it was told, does not repeat")

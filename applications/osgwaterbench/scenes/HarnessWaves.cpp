@@ -9,6 +9,7 @@
 #include <osg/Math>
 #include <osg/io_utils>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -90,6 +91,20 @@ osg::Vec3d HarnessWaves::getNormal(const osg::Vec2d& place, double) const
     osg::Vec3d normal(-slope.x(), -slope.y(), 1.0);
     normal.normalize();
     return normal;
+}
+
+// A length is convex in each cosine, so that it is largest where all are 1 or -1.
+double HarnessWaves::getMaxSlope() const
+{
+    double steepest = 0.0;
+    for (unsigned int signs = 0; signs < 1u << _waves.size(); ++signs)
+    {
+        osg::Vec2d sum;
+        for (unsigned int i = 0; i < _waves.size(); ++i)
+            sum += _waves[i].direction * ((signs >> i & 1 ? -1.0 : 1.0) * _waves[i].weight);
+        steepest = std::max(steepest, sum.length());
+    }
+    return _slope * steepest;
 }
 
 double HarnessWaves::getShortestLength() const

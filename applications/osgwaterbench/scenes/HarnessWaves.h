@@ -43,6 +43,9 @@ public:
     double getHeight(const osg::Vec2d&, double) const override { return 0.0; }
     osg::Vec3d getNormal(const osg::Vec2d& place, double time) const override;
     double getAmplitude() const override { return 0.0; }
+    /// The largest sum of the waves' slopes, each as steep as it gets to one side or the other: the
+    /// least bound where no wave vector is a sum of multiples of others.
+    double getMaxSlope() const override;
     /// Infinite, for no mesh need follow flat water.
     double getShortestLength() const override;
     std::string getShaderName() const override;
