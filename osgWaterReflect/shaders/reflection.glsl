@@ -44,21 +44,22 @@ Sighting lookFor(Capture capture, vec3 originEye, vec3 dirEye)
     return sighting;
 }
 
-// Colour of a surface at a place between pixel centres: mixed of the four pixels about it, but not
-// of those that show something else.
-vec3 surfaceColour(Capture capture, ImageRay ray, TraceResult hit)
+vec3 capturedColour(Capture capture, vec2 window)
 {
-    if (hit.smoothAbout)
-    {
-        vec2 uv = hit.window.xy / vec2(textureSize(capture.colour, 0));
-        return finiteColour(textureLod(capture.colour, uv, 0.0).rgb);
-    }
+    return finiteColour(textureLod(capture.colour, window / vec2(textureSize(capture.colour, 0)), 0.0).rgb);
+}
+
+// Colour of a hit whose four pixels about it do not all show the same surface: mixed of those that
+// show one as deep, or else of the one that is closest in depth.
+vec3 colourAmidEdges(Capture capture, ImageRay ray, TraceResult hit)
+{
     float thick = thicknessWindowZ(capture, mix(ray.inverseDepth.x, ray.inverseDepth.y, hit.s));
     vec2 fraction = fract(hit.window.xy - 0.5);
     vec4 sum = vec4(0.0);
     vec3 closest = vec3(0.0);
     float closestZ = 2.0;
-    for (int i = 0; i < 4; ++i)
+    int pixels = hit.reason != REASON_HIT || hit.smoothAbout ? 0 : 4;
+    for (int i = 0; i < pixels; ++i)
     {
         vec2 corner = vec2(i & 1, i >> 1);
         vec2 pixel = clamp(floor(hit.window.xy - 0.5) + corner, vec2(0.0), capture.size - 1.0);
@@ -98,27 +99,25 @@ Reflection traceReflection(vec3 originEye, vec3 dirEye)
     Sighting sighting = lookFor(eyeCapture, originEye, dirEye);
     ImageRay ray = sighting.ray;
     TraceResult result = sighting.result;
-
-    Reflection reflection;
-    reflection.reason = result.reason;
-    reflection.window = vec2(-1.0);
-    reflection.mirrored = false;
-    if (result.reason == REASON_HIT)
-    {
-        reflection.colour = surfaceColour(eyeCapture, ray, result);
-        reflection.window = result.window.xy;
-        return reflection;
-    }
+    bool hit = result.reason == REASON_HIT;
 
     // A ray that ended behind something most often met its far side or what stands close behind:
     // what hides it is seen in its place. What is much nearer to the eye is no such thing.
     bool hiddenClosely = result.reason == REASON_BEHIND &&
         result.hidden <= HIDING_REACH * eyeCapture.depthScale.x *
                          mix(ray.inverseDepth.x, ray.inverseDepth.y, result.s);
-    vec2 instead = hiddenClosely ? result.window.xy : ray.end.xy;
-    float share = hiddenClosely ? 1.0 : leftImage(result.reason) ? borderShare(eyeCapture, ray) : 0.0;
-    vec3 shown = finiteColour(texelFetch(eyeCapture.colour, ivec2(instead), 0).rgb);
-    reflection.colour = mix(skyColour(eyeCapture, ray, dirEye), shown, share);
-    if (hiddenClosely) reflection.window = instead;
+    float share = hit || hiddenClosely ? 1.0
+                : leftImage(result.reason) ? borderShare(eyeCapture, ray)
+                : 0.0;
+    vec2 shown = hit || hiddenClosely ? result.window.xy : ray.end.xy;
+    vec3 colour = hit && !result.smoothAbout
+        ? colourAmidEdges(eyeCapture, ray, result)
+        : capturedColour(eyeCapture, hit ? shown : floor(shown) + 0.5);
+
+    Reflection reflection;
+    reflection.colour = mix(skyColour(eyeCapture, ray, dirEye), colour, share);
+    reflection.reason = result.reason;
+    reflection.window = hit || hiddenClosely ? shown : vec2(-1.0);
+    reflection.mirrored = false;
     return reflection;
 }

@@ -148,30 +148,94 @@ struct Sample
     float behind;         // depth of the ray behind the surface [windowZ]
 };
 
-// A hit. A surface that does not jump is met between two columns, and between their pixels.
-//   before, at  the last two columns; at the first s of the former is 0, its depth not known yet
-//   step        s from column to column
-TraceResult hitAt(Capture capture, ImageRay ray, Meeting meeting, Sample before, Sample at,
-                  float step)
+// How far a search by columns has come.
+//
+// Its loops find the next column where a surface is reached, and nothing else: rasterisers run
+// several pixels at once, and each waits in a loop for the slowest. What is found is judged between
+// them.
+struct Trail
 {
-    vec3 extent = ray.end - ray.start;
-    bool continuous = meeting.jump <= meeting.thick;
+    float lookAheadZ;     // a surface counts as reached half a column before the ray does [windowZ]
+    bool inFront;         // of what the last column showed
+    Sample at;            // the last column
+    Sample before;        // of a hit: the column before
+    Meeting meeting;
+    float sHidden;        // where the ray last went behind something ...
+    float hidden;         // ... and its depth behind that [windowZ]
+};
+
+vec3 windowAt(ImageRay ray, float s)
+{
+    return ray.start + s * (ray.end - ray.start);
+}
+
+Trail trailOf(ImageRay ray, Columns columns)
+{
+    Trail trail;
+    trail.lookAheadZ = 0.5 * min(columns.step, 1.0) * abs(ray.end.z - ray.start.z);
+    trail.inFront = true;
+    trail.at = Sample(0.0, 0.0);
+    trail.before = Sample(0.0, 0.0);
+    trail.meeting = Meeting(false, 0.0, 0.0);
+    trail.sHidden = 0.0;
+    trail.hidden = 0.0;
+    return trail;
+}
+
+// Whether the ray reaches the surface that a column shows, having been in front of what the one
+// before showed. Background is nothing to reach.
+bool reaches(Capture capture, ImageRay ray, Columns columns, int i, inout Trail trail)
+{
+    float s = columnAt(columns, i);
+    vec3 window = windowAt(ray, s);
+    float surfaceZ = capturedWindowZ(capture, window.xy);
+    trail.at = Sample(s, window.z - surfaceZ);
+    bool reached = trail.at.behind + trail.lookAheadZ >= 0.0 && surfaceZ < 1.0;
+    bool first = reached && trail.inFront;
+    trail.inFront = !reached;
+    return first;
+}
+
+// Judges what the ray has reached at a column: whether it has hit it, or passes behind.
+void meet(Capture capture, ImageRay ray, Columns columns, int i, inout Trail trail)
+{
+    // At the first column nothing is known of the surface before: no jump.
+    trail.before.s = i > 0 ? columnAt(columns, i - 1) : 0.0;
+    vec3 windowBefore = windowAt(ray, trail.before.s);
+    float previousZ = capturedWindowZ(capture, windowBefore.xy);
+    trail.before.behind = windowBefore.z - previousZ;
+    float inverseDepth = mix(ray.inverseDepth.x, ray.inverseDepth.y, trail.at.s);
+    trail.meeting = meetSurface(capture, ray.start.z + trail.at.s * (ray.end.z - ray.start.z) - trail.at.behind,
+                                i > 0 ? previousZ : 0.0, trail.at.behind,
+                                2.0 * trail.lookAheadZ, inverseDepth);
+    if (!trail.meeting.hit)
+    {
+        trail.sHidden = trail.at.s;
+        trail.hidden = trail.at.behind;
+    }
+}
+
+// Where a hit is. A surface that does not jump is met between two columns, and between their pixels.
+TraceResult hitOf(Capture capture, ImageRay ray, Columns columns, Trail trail)
+{
+    vec2 extent = ray.end.xy - ray.start.xy;
+    float thick = trail.meeting.thick;
+    Sample before = trail.before;
+    Sample at = trail.at;
+    bool continuous = trail.meeting.jump <= thick;
 
     // Reached by looking ahead: rather between this column and the next.
     Sample next;
-    next.s = min(at.s + step, 1.0);
-    if (at.behind < 0.0 && next.s > at.s)
+    next.s = min(at.s + columns.step, 1.0);
+    vec3 window = windowAt(ray, next.s);
+    float ownZ = windowAt(ray, at.s).z - at.behind;
+    float nextZ = capturedWindowZ(capture, window.xy);
+    next.behind = window.z - nextZ;
+    if (at.behind < 0.0 && next.behind >= 0.0 && abs(nextZ - ownZ) <= thick)
     {
-        vec3 window = ray.start + next.s * extent;
-        float ownZ = ray.start.z + at.s * extent.z - at.behind;
-        float nextZ = capturedWindowZ(capture, window.xy);
-        next.behind = window.z - nextZ;
-        if (next.behind >= 0.0 && abs(nextZ - ownZ) <= meeting.thick)
-        {
-            before = at;
-            at = next;
-            continuous = true;
-        }
+        before = at;
+        at = next;
+        continuous = true;
     }
 
     TraceResult result;
@@ -180,39 +244,35 @@ TraceResult hitAt(Capture capture, ImageRay ray, Meeting meeting, Sample before,
     float firstShare = 0.5;
     if (continuous)
     {
-        vec3 window = ray.start + at.s * extent;
-        vec3 windowBefore = ray.start + before.s * extent;
-        float ownZBefore = before.s > 0.0 ? windowBefore.z - before.behind
-                                          : capturedWindowZ(capture, windowBefore.xy);
-        Between here = surfaceBetween(capture, window.xy, extent.xy, window.z - at.behind,
-                                      meeting.thick);
-        Between there = surfaceBetween(capture, windowBefore.xy, extent.xy, ownZBefore,
-                                       meeting.thick);
+        window = windowAt(ray, at.s);
+        vec3 windowBefore = windowAt(ray, before.s);
+        Between here = surfaceBetween(capture, window.xy, extent, window.z - at.behind, thick);
+        Between there =
+            surfaceBetween(capture, windowBefore.xy, extent, windowBefore.z - before.behind, thick);
         at.behind = window.z - here.windowZ;
         before.behind = windowBefore.z - there.windowZ;
         firstShare = 2.0;
         result.smoothAbout = here.continuous && there.continuous &&
                              here.firstPixel == there.firstPixel &&
-                             abs(here.windowZ - there.windowZ) <= meeting.thick;
+                             abs(here.windowZ - there.windowZ) <= thick;
     }
     result.s = crossing(at.s, at.s - before.s, before.behind, at.behind, firstShare);
-    result.window = ray.start + result.s * extent;
+    result.window = windowAt(ray, result.s);
     // That place may lie before the one column or beyond the other.
     result.smoothAbout = result.smoothAbout && result.s >= before.s && result.s <= at.s;
-    result.hidden = 0.0;
+    result.hidden = trail.hidden;
     return result;
 }
 
-// What a search that met nothing ends with.
-//   inFront          at the ray's end, of what is seen there
-//   sHidden, hidden  where the ray went behind something last, and its depth behind it [windowZ]
-TraceResult missOf(ImageRay ray, bool inFront, float sHidden, float hidden)
+// What a search by columns ends with.
+TraceResult resultOf(Capture capture, ImageRay ray, Columns columns, Trail trail)
 {
+    if (trail.meeting.hit) return hitOf(capture, ray, columns, trail);
     TraceResult result;
-    result.reason = inFront ? ray.endReason : REASON_BEHIND;
-    result.s = sHidden;
-    result.window = ray.start + sHidden * (ray.end - ray.start);
-    result.hidden = hidden;
+    result.reason = trail.inFront ? ray.endReason : REASON_BEHIND;
+    result.s = trail.sHidden;
+    result.window = windowAt(ray, trail.sHidden);
+    result.hidden = trail.hidden;
     result.smoothAbout = false;
     return result;
 }

@@ -40,67 +40,37 @@ float columnsInFront(float columns, float nearest, float room, float perColumnZ)
 TraceResult searchImage(Capture capture, ImageRay ray)
 {
     Columns columns = columnsOf(capture, ray, 1.0);
-    vec3 extent = ray.end - ray.start;
-    vec3 perColumn = columns.step * extent;
-    float stepZ = min(columns.step, 1.0) * abs(extent.z);
+    vec3 perColumn = columns.step * (ray.end - ray.start);
     // A ray that stays in its column or row never leaves a cell on that side.
     vec2 way = mix(perColumn.xy, vec2(1e-9), lessThan(abs(perColumn.xy), vec2(1e-9)));
 
-    bool inFront = true;
-    Meeting meeting = Meeting(false, 0.0, 0.0);
-    float sBefore = 0.0;   // of a hit: the column before, at first the start
-    float s = 0.0;
-    float before = 0.0;    // depth of the ray behind the surface there [windowZ]
-    float behind = 0.0;    // the same at this column
-    float sHidden = 0.0;   // where the ray last went behind something ...
-    float hidden = 0.0;    // ... and its depth behind that [windowZ]
+    Trail trail = trailOf(ray, columns);
     int i = 0;
-    while (i < columns.count && !meeting.hit)
+    while (i < columns.count && !trail.meeting.hit)
     {
-        vec3 window = ray.start + columnAt(columns, i) * extent;
-        vec4 cell = pyramidCell(capture, window.xy);
-        vec3 room = cell.xyz - window.z - 0.5 * stepZ;
-        float within = columnsWithin(CELL_SIDES.x, window.xy, way);
-        float free = max(
-            columnsInFront(within, cell.x, room.x, perColumn.z),
-            max(columnsInFront(columnsWithin(CELL_SIDES.y, window.xy, way), cell.y, room.y,
-                               perColumn.z),
-                columnsInFront(columnsWithin(CELL_SIDES.z, window.xy, way), cell.z, room.z,
-                               perColumn.z)));
-        inFront = inFront || free > 0.0;
-
-        float leastZ = window.z + min(within * perColumn.z, 0.0) + 0.5 * stepZ;
-        bool staysBehind = !inFront && cell.a < 1.0 && leastZ >= cell.a;
-        int last = min(i + int(within), columns.count);
-        i += int(staysBehind ? within : free);
-        for (; i < last && !meeting.hit; ++i)
+        bool reached = false;
+        while (i < columns.count && !reached)
         {
-            s = columnAt(columns, i);
-            window = ray.start + s * extent;
-            float surfaceZ = capturedWindowZ(capture, window.xy);
-            behind = window.z - surfaceZ;
-            bool reached = behind + 0.5 * stepZ >= 0.0 && surfaceZ < 1.0;
-            if (reached && inFront)
-            {
-                sBefore = i > 0 ? columnAt(columns, i - 1) : 0.0;
-                vec3 windowBefore = ray.start + sBefore * extent;
-                float previousZ = i > 0 ? capturedWindowZ(capture, windowBefore.xy) : 0.0;
-                before = i > 0 ? windowBefore.z - previousZ : 0.0;
-                meeting = meetSurface(capture, surfaceZ, previousZ, behind, stepZ,
-                                      mix(ray.inverseDepth.x, ray.inverseDepth.y, s));
-                if (!meeting.hit)
-                {
-                    sHidden = s;
-                    hidden = behind;
-                }
-            }
-            inFront = !reached;
-        }
-    }
+            vec3 window = windowAt(ray, columnAt(columns, i));
+            vec4 cell = pyramidCell(capture, window.xy);
+            vec3 room = cell.xyz - window.z - trail.lookAheadZ;
+            float within = columnsWithin(CELL_SIDES.x, window.xy, way);
+            float free = max(
+                columnsInFront(within, cell.x, room.x, perColumn.z),
+                max(columnsInFront(columnsWithin(CELL_SIDES.y, window.xy, way), cell.y, room.y,
+                                   perColumn.z),
+                    columnsInFront(columnsWithin(CELL_SIDES.z, window.xy, way), cell.z, room.z,
+                                   perColumn.z)));
+            trail.inFront = trail.inFront || free > 0.0;
 
-    if (!meeting.hit) return missOf(ray, inFront, sHidden, hidden);
-    TraceResult result = hitAt(capture, ray, meeting, Sample(sBefore, before),
-                               Sample(s, behind), columns.step);
-    result.hidden = hidden;
-    return result;
+            float leastZ = window.z + min(within * perColumn.z, 0.0) + trail.lookAheadZ;
+            bool staysBehind = !trail.inFront && cell.a < 1.0 && leastZ >= cell.a;
+            int last = min(i + int(within), columns.count);
+            i += int(staysBehind ? within : free);
+            while (i < last && !reached)
+                reached = reaches(capture, ray, columns, i++, trail);
+        }
+        if (reached) meet(capture, ray, columns, i - 1, trail);
+    }
+    return resultOf(capture, ray, columns, trail);
 }

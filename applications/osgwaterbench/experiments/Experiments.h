@@ -39,12 +39,14 @@ bool runTable1(const ExperimentOptions& options);
 bool runAccuracy(const ExperimentOptions& options);
 bool runRivals(const ExperimentOptions& options);
 bool runScaling(const ExperimentOptions& options);
+bool runBorders(const ExperimentOptions& options);
 
 inline const Experiment EXPERIMENTS[] = {
     {"table1", "frames a second at the paper's four sizes, by search", runTable1},
     {"accuracy", "every search and setting: what it costs and how right it is", runAccuracy},
     {"rivals", "a sky cube map only, a mirrored camera, the paper's method, and ours", runRivals},
     {"scaling", "time against triangles, waters, outlines and pixels", runScaling},
+    {"borders", "captures and guard bands against the plainest search, at two sizes", runBorders},
 };
 
 } // namespace osgwaterbench

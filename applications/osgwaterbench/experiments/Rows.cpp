@@ -82,6 +82,7 @@ Json osgwaterbench::toJson(const std::optional<TessellationError>& error)
 Json osgwaterbench::toJson(const CaseTime& time)
 {
     return {{"image_ms", jsonOf(time.image)},
+            {"pyramid_ms", jsonOf(time.pyramid)},
             {"trace_ms", jsonOf(time.trace)},
             {"frame_ms", jsonOf(time.frame)}};
 }

@@ -15,6 +15,7 @@ namespace
 const char* const LOWER_QUARTILE = "p25";
 const char* const UPPER_QUARTILE = "p75";
 const char* const IMAGE = "image";
+const char* const PYRAMID = "pyramid";
 const char* const FRAME = "frame";
 
 // The value at a share of a sorted list, straight between its two neighbours.
@@ -61,6 +62,7 @@ public:
             if (!trace) continue;
             *trace = run.GetAdjustedRealTime();
             *valueOf(time.image, run.aggregate_name) = run.counters.at(IMAGE);
+            *valueOf(time.pyramid, run.aggregate_name) = run.counters.at(PYRAMID);
             *valueOf(time.frame, run.aggregate_name) = run.counters.at(FRAME);
         }
     }
@@ -101,6 +103,7 @@ std::vector<CaseTime> osgwaterbench::timeSideBySide(const std::vector<TimedCase>
                 const FrameTime time = timed.frame();
                 state.SetIterationTime(1e-3 * time.trace);
                 state.counters[IMAGE] = time.image;
+                state.counters[PYRAMID] = time.pyramid;
                 state.counters[FRAME] = time.frame;
             }
         };

@@ -29,6 +29,7 @@ struct Spread
 struct CaseTime
 {
     Spread image; ///< as in FrameTime
+    Spread pyramid;
     Spread trace;
     Spread frame;
 };

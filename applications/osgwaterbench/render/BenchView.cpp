@@ -167,7 +167,7 @@ void BenchView::watchImages()
     {
         _clock->watchImage(*before.second->getCamera());
         for (const auto& after : before.second->getPostRenderList())
-            _clock->watchImage(*after.second->getCamera());
+            _clock->watchPyramid(*after.second->getCamera());
     }
 }
 

@@ -65,6 +65,12 @@ void StageClock::watchImage(osg::Camera& camera)
     camera.setPostDrawCallback(new MarkCallback(*this, Mark::IMAGE_END));
 }
 
+void StageClock::watchPyramid(osg::Camera& camera)
+{
+    camera.setPreDrawCallback(new MarkCallback(*this, Mark::PYRAMID_BEGIN));
+    camera.setPostDrawCallback(new MarkCallback(*this, Mark::PYRAMID_END));
+}
+
 osg::ref_ptr<osg::Drawable> StageClock::createWaterMark()
 {
     return new MarkDrawable(*this);
@@ -114,8 +120,12 @@ FrameTime StageClock::read() const
     double begin = 0.0; // of an image
     for (const MarkedTime& marked : _marks)
     {
-        if (marked.mark == Mark::IMAGE_BEGIN) begin = marked.time;
-        if (marked.mark == Mark::IMAGE_END) result.image += marked.time - begin;
+        const double sinceBegin = marked.time - begin;
+        if (marked.mark == Mark::IMAGE_BEGIN || marked.mark == Mark::PYRAMID_BEGIN)
+            begin = marked.time;
+        if (marked.mark == Mark::IMAGE_END || marked.mark == Mark::PYRAMID_END)
+            result.image += sinceBegin;
+        if (marked.mark == Mark::PYRAMID_END) result.pyramid += sinceBegin;
         if (marked.mark == Mark::WATER_BEGIN) result.trace = _marks.back().time - marked.time;
     }
     result.frame = _ended - _started;

@@ -13,9 +13,10 @@ namespace osgwaterbench
 /// Where the time of a frame goes [ms].
 struct FrameTime
 {
-    double image = 0.0; ///< rendering the images that reflections are looked up in, and pyramids
-    double trace = 0.0; ///< drawing the water: its vertices, the search and the shading
-    double frame = 0.0; ///< everything, cull and draw, until the last pixel is done
+    double image = 0.0;   ///< rendering the images that reflections are looked up in, and pyramids
+    double pyramid = 0.0; ///< of that, pyramids
+    double trace = 0.0;   ///< drawing the water: its vertices, the search and the shading
+    double frame = 0.0;   ///< everything, cull and draw, until the last pixel is done
 };
 
 /// Takes the time at marks between the stages of a frame.
@@ -36,9 +37,10 @@ public:
 
     void setWay(Way way) { _way = way; }
 
-    /// The image of a camera counts as one that reflections are looked up in. It must not be
-    /// watched by another clock.
+    /// The image of a camera counts as one that reflections are looked up in, or as a part of a
+    /// pyramid. It must not be watched by another clock.
     void watchImage(osg::Camera& camera);
+    void watchPyramid(osg::Camera& camera);
 
     /// To be drawn between what is opaque and the water.
     osg::ref_ptr<osg::Drawable> createWaterMark();
@@ -57,6 +59,8 @@ private:
     {
         IMAGE_BEGIN,
         IMAGE_END,
+        PYRAMID_BEGIN,
+        PYRAMID_END,
         WATER_BEGIN,
         FRAME_END
     };
