@@ -12,11 +12,17 @@ bool ReflectionSettings::check() const
     if (!expectRange("ReflectionSettings::stride", stride, 1, 64)) return false;
     if (!(captureScale > 0.0 && captureScale <= 1.0))
         return refuse("ReflectionSettings::captureScale", "a value in (0, 1]", captureScale);
-    return true;
+    if (guardBand != GuardBandKind::NONE && guardBand != GuardBandKind::ADAPTIVE &&
+        guardBand != GuardBandKind::FIXED)
+        return refuse("ReflectionSettings::guardBand", "a member of GuardBandKind",
+                      static_cast<int>(guardBand));
+    if (!expectRange("ReflectionSettings::maxExtraPixels", maxExtraPixels, 0.0, 3.0)) return false;
+    return expectRange("ReflectionSettings::guardBandShare", guardBandShare, 0.0, 1.0);
 }
 
 bool ReflectionSettings::operator==(const ReflectionSettings& rhs) const
 {
     return search == rhs.search && thickness == rhs.thickness && stride == rhs.stride &&
-           captureScale == rhs.captureScale;
+           captureScale == rhs.captureScale && guardBand == rhs.guardBand &&
+           maxExtraPixels == rhs.maxExtraPixels && guardBandShare == rhs.guardBandShare;
 }

@@ -192,7 +192,8 @@ void WaterSurface::traverse(osg::NodeVisitor& visitor)
     }
     if (auto* capture = dynamic_cast<CaptureVisitor*>(view))
     {
-        capture->meet(*this);
+        getBound(); // the sheets are as of the last bound
+        capture->meet(*this, _stillWaters);
         return;
     }
     if (!Capture::serves(*view)) return;

@@ -1,12 +1,17 @@
 #include "Capture.h"
 
 #include "../Transforms.h"
+#include "BandDemand.h"
+#include "StageContent.h"
 
 #include <osgWaterReflect/WaterSurface>
+
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <climits>
 #include <cmath>
+#include <limits>
 
 using namespace osgWaterReflect;
 
@@ -45,6 +50,25 @@ GLint colourFormat(const osg::Camera& camera)
         if (attachment._internalFormat) return attachment._internalFormat;
     }
     return GL_RGBA8;
+}
+
+bool contains(const NdcExtent& outer, const NdcExtent& inner)
+{
+    return outer.left <= inner.left && outer.right >= inner.right && outer.bottom <= inner.bottom &&
+           outer.top >= inner.top;
+}
+
+// [1] Of half the view's size: how much farther than needed is culled, so that a camera that turns
+// slowly does not have everything culled twice.
+const double CULL_MARGIN = 0.1;
+
+NdcExtent withMargin(const NdcExtent& extent)
+{
+    const NdcExtent view;
+    return contains(view, extent)
+               ? view
+               : NdcExtent{extent.left - CULL_MARGIN, extent.right + CULL_MARGIN,
+                           extent.bottom - CULL_MARGIN, extent.top + CULL_MARGIN};
 }
 
 } // namespace
@@ -88,31 +112,77 @@ void Capture::require(osgUtil::CullVisitor& view)
     if (done) return;
     ++_serial;
 
-    osg::ref_ptr<osg::RefMatrix> projection = new osg::RefMatrix(*view.getProjectionMatrix());
-    _visitor->cull(view, *_stage, *projection);
+    const osg::ref_ptr<osg::RefMatrix> projection = new osg::RefMatrix;
+    cull(view, *projection);
     _clipFromEye = fromOsg(*projection);
     _camera->setViewMatrix(*viewStage.getInitialViewMatrix()); // for draw callbacks that ask it
     _camera->setProjectionMatrix(*projection);
-    resize(view);
 
     // After every texture of the scene's own that the view renders first.
     viewStage.addPreRenderStage(_stage.get(), INT_MAX);
 }
 
-void Capture::resize(osgUtil::CullVisitor& view)
+// How wide a capture must be is known only when its waters have been met. So it is culled somewhat
+// wider than the last frame's waters asked for, and once more where this frame's ask for more; what
+// is then drawn depends on this frame alone.
+void Capture::cull(osgUtil::CullVisitor& view, osg::RefMatrix& projection)
+{
+    const osg::Viewport& viewport = *view.getViewport();
+    const glm::ivec2 viewportSize(std::ceil(viewport.width()), std::ceil(viewport.height()));
+    const glm::dmat4 clipFromEye = fromOsg(*view.getProjectionMatrix());
+    const double time = view.getFrameStamp() ? view.getFrameStamp()->getSimulationTime() : 0.0;
+
+    const auto cullWithin = [&](const NdcExtent& extent)
+    {
+        const GuardBand band = bandFor(extent, viewportSize, std::numeric_limits<int>::max());
+        const glm::ivec2 size = widened(viewportSize, band);
+        const osg::ref_ptr<osg::Viewport> wide = new osg::Viewport(0, 0, size.x, size.y);
+        projection.set(toOsg(widened(clipFromEye, viewportSize, band)));
+        _visitor->cull(view, *_stage, projection, *wide);
+        return BandDemand(_visitor->waters(), clipFromEye, time);
+    };
+    BandDemand demand = cullWithin(_culled);
+    if (!contains(_culled, demand.possible()))
+    {
+        _culled = withMargin(demand.possible());
+        demand = cullWithin(_culled);
+    }
+
+    _viewSize = scaledViewSize(viewport);
+    const StageContent content = {*_stage, projection};
+    NdcExtent scene;
+    if (demand.adapts()) scene = content.seenThrough(clipFromEye, demand.seesDrawnSky());
+    _band = demand.band(scene, _viewSize);
+    _size = widened(_viewSize, _band);
+    glm::dmat4 wide = widened(clipFromEye, _viewSize, _band);
+    for (int column = 0; column < 4; ++column)
+        wide[column][2] = projection(column, 2); // near and far as they were fitted
+    if (!contains(NdcExtent(), _culled)) content.keepSeenThrough(wide);
+    projection.set(toOsg(wide));
+    _visitor->finish(*_stage);
+    _culled = withMargin(demand.possible());
+    allocate(*view.getCurrentCamera(), demand);
+}
+
+// Of the view, in the capture's pixels.
+glm::ivec2 Capture::scaledViewSize(const osg::Viewport& viewport) const
 {
     double scale = 0.0;
-    for (const WaterSurface* water : _visitor->waters())
-        scale = std::max(scale, water->getReflection().captureScale);
+    for (const MetWater& met : _visitor->waters())
+        scale = std::max(scale, met.water->getReflection().captureScale);
     if (scale == 0.0) scale = 1.0;
+    return {std::max(1L, std::lround(scale * viewport.width())),
+            std::max(1L, std::lround(scale * viewport.height()))};
+}
 
-    const osg::Viewport& viewport = *view.getCurrentRenderStage()->getViewport();
-    _size.x = std::max(1, static_cast<int>(std::lround(scale * viewport.width())));
-    _size.y = std::max(1, static_cast<int>(std::lround(scale * viewport.height())));
-    _capacity = _size;
-    _stage->getViewport()->setViewport(0, 0, _size.x, _size.y);
+// Once some band was needed, textures are as large as any that may be.
+void Capture::allocate(const osg::Camera& camera, const BandDemand& demand)
+{
+    if (_viewSize != _allocatedFor) _capacity = _viewSize;
+    _allocatedFor = _viewSize;
+    if (_size != _viewSize) _capacity = glm::max(_capacity, demand.largestSize(_viewSize));
 
-    const GLint format = colourFormat(*view.getCurrentCamera());
+    const GLint format = colourFormat(camera);
     if (format != _colour->getInternalFormat())
     {
         _colour->setInternalFormat(format);
@@ -120,6 +190,7 @@ void Capture::resize(osgUtil::CullVisitor& view)
         _camera->dirtyAttachmentMap();
     }
     _camera->resizeAttachments(_capacity.x, _capacity.y);
+    _stage->getViewport()->setViewport(0, 0, _size.x, _size.y);
 }
 
 Capture::DepthScale Capture::depthScale() const

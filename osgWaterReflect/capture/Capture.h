@@ -2,6 +2,8 @@
 #define OSGWATERREFLECT_CAPTURE_CAPTURE_H
 
 #include "CaptureVisitor.h"
+#include "GuardBand.h"
+#include "NdcExtent.h"
 
 #include <osg/Camera>
 #include <osg/Texture2D>
@@ -12,13 +14,18 @@
 namespace osgWaterReflect
 {
 
+class BandDemand;
+
 /// An image of the scene without its water, and the matrix it was taken with: what one camera of
 /// one view sees this frame, rendered before that camera.
 ///
-/// | image   | format                                   | size                        |
-/// |---------|------------------------------------------|-----------------------------|
-/// | colour  | RGBA8, or that of the camera's own buffer | viewport times captureScale |
-/// | windowZ | 24-bit depth                             | the same                    |
+/// | image   | format                                    | size                       |
+/// |---------|-------------------------------------------|----------------------------|
+/// | colour  | RGBA8, or that of the camera's own buffer | viewport times captureScale, |
+/// |         |                                           | and the guard band         |
+/// | windowZ | 24-bit depth                              | the same                   |
+///
+/// The textures are made for the largest band, of which a frame uses a part.
 class Capture : public osg::Referenced
 {
 public:
@@ -28,7 +35,7 @@ public:
     Capture();
 
     /// Renders the capture before the view's current stage, unless that has been arranged in this
-    /// cull already. The most demanding water that it meets sets the scale.
+    /// cull already. The most demanding of the waters that it meets set scale and guard band.
     void require(osgUtil::CullVisitor& view);
 
     /// Whether water can be reflected for this camera: not while it renders depth alone (a shadow
@@ -42,6 +49,9 @@ public:
     /// [pixels] Of the lower left part of the textures that is in use, and of all.
     const glm::ivec2& size() const { return _size; }
     const glm::ivec2& capacity() const { return _capacity; }
+
+    /// What of that lies beyond the view.
+    const GuardBand& band() const { return _band; }
 
     /// From the view's eye space to the capture's own clip space, near and far as they were fitted.
     const glm::dmat4& clipFromEye() const { return _clipFromEye; }
@@ -68,15 +78,21 @@ public:
     void resizeGLObjectBuffers(unsigned int maxSize);
 
 private:
-    void resize(osgUtil::CullVisitor& view);
+    void cull(osgUtil::CullVisitor& view, osg::RefMatrix& projection);
+    glm::ivec2 scaledViewSize(const osg::Viewport& viewport) const;
+    void allocate(const osg::Camera& camera, const BandDemand& demand);
 
     osg::ref_ptr<osg::Texture2D> _colour;
     osg::ref_ptr<osg::Texture2D> _windowZ;
     osg::ref_ptr<osg::Camera> _camera; // holds the attachments; it is no node of the scene
     osg::ref_ptr<osgUtil::RenderStage> _stage;
     osg::ref_ptr<CaptureVisitor> _visitor;
-    glm::ivec2 _size{0};
+    NdcExtent _culled; // what the last cull was widened to
+    GuardBand _band;
+    glm::ivec2 _viewSize{0}; // [pixels of the capture]
+    glm::ivec2 _size{0};     // the same with the band
     glm::ivec2 _capacity{0};
+    glm::ivec2 _allocatedFor{0}; // view size
     glm::dmat4 _clipFromEye{1.0};
     unsigned int _serial = 0;
 };

@@ -1,5 +1,7 @@
 #include "CaptureVisitor.h"
 
+#include "../Transforms.h"
+
 #include <osg/Camera>
 
 #include <algorithm>
@@ -46,7 +48,7 @@ osg::Node::NodeMask maskOfCamera(const osgUtil::CullVisitor& view)
 } // namespace
 
 void CaptureVisitor::cull(osgUtil::CullVisitor& view, osgUtil::RenderStage& stage,
-                          osg::RefMatrix& projection)
+                          osg::RefMatrix& projection, osg::Viewport& viewport)
 {
     osgUtil::RenderStage& viewStage = *view.getCurrentRenderStage();
     osg::Camera& camera = *view.getCurrentCamera();
@@ -110,7 +112,7 @@ void CaptureVisitor::cull(osgUtil::CullVisitor& view, osgUtil::RenderStage& stag
     for (osg::Node* node : cameraPath)
         pushOntoNodePath(node);
 
-    pushViewport(viewStage.getViewport());
+    pushViewport(&viewport);
     pushProjectionMatrix(&projection);
     pushModelViewMatrix(eyeFromWorld, osg::Transform::ABSOLUTE_RF);
 
@@ -126,9 +128,18 @@ void CaptureVisitor::cull(osgUtil::CullVisitor& view, osgUtil::RenderStage& stag
         popFromNodePath();
     for (std::size_t i = 0; i < stateSets.size(); ++i)
         popStateSet();
+}
 
+void CaptureVisitor::finish(osgUtil::RenderStage& stage)
+{
     stage.sort();
     _captureStateGraph->prune();
+}
+
+void CaptureVisitor::meet(const WaterSurface& water,
+                          const std::vector<osg::ref_ptr<StillWater>>& sheets)
+{
+    _waters.push_back({&water, &sheets, fromOsg(*getModelViewMatrix())});
 }
 
 // Cameras of the scene that render on their own have been, or will be, culled by the view: a

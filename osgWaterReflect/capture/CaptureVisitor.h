@@ -3,12 +3,23 @@
 
 #include <osgUtil/CullVisitor>
 
+#include <glm/mat4x4.hpp>
+
 #include <vector>
 
 namespace osgWaterReflect
 {
 
+class StillWater;
 class WaterSurface;
+
+/// Water that a capture's cull has met and left out.
+struct MetWater
+{
+    const WaterSurface* water;
+    const std::vector<osg::ref_ptr<StillWater>>* sheets;
+    glm::dmat4 eyeFromLocal;
+};
 
 /// Culls the scene once more for a capture: with render stages, state and near and far planes of
 /// its own, so that the view's own cull is left as it was. Water that it meets is not drawn but
@@ -18,14 +29,20 @@ class CaptureVisitor : public osgUtil::CullVisitor
 public:
     META_NodeVisitor(osgWaterReflect, CaptureVisitor)
 
-    /// Culls what a view's camera draws into a stage, as the view does.
+    /// Culls what a view's camera draws into a stage, as the view does. The stage is yet to be
+    /// sorted.
     ///   view        in the middle of its cull of that camera
-    ///   projection  the view's; clamped, like the view's later, to near and far of what is drawn
-    void cull(osgUtil::CullVisitor& view, osgUtil::RenderStage& stage, osg::RefMatrix& projection);
+    ///   projection  clamped, like the view's later, to near and far of what is drawn
+    ///   viewport    that goes with it, in the view's pixels: decides levels of detail
+    void cull(osgUtil::CullVisitor& view, osgUtil::RenderStage& stage, osg::RefMatrix& projection,
+              osg::Viewport& viewport);
+
+    /// Readies what was culled for drawing.
+    void finish(osgUtil::RenderStage& stage);
 
     /// Water met by the last cull.
-    void meet(const WaterSurface& water) { _waters.push_back(&water); }
-    const std::vector<const WaterSurface*>& waters() const { return _waters; }
+    void meet(const WaterSurface& water, const std::vector<osg::ref_ptr<StillWater>>& sheets);
+    const std::vector<MetWater>& waters() const { return _waters; }
 
     using osgUtil::CullVisitor::apply;
     void apply(osg::Camera& camera) override;
@@ -33,7 +50,7 @@ public:
 private:
     osg::ref_ptr<osgUtil::StateGraph> _captureStateGraph = new osgUtil::StateGraph;
     osg::ref_ptr<osg::StateSet> _stageState = new osg::StateSet;
-    std::vector<const WaterSurface*> _waters;
+    std::vector<MetWater> _waters;
 };
 
 } // namespace osgWaterReflect

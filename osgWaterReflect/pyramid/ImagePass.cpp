@@ -49,6 +49,7 @@ ImagePass::ImagePass(const char* fragmentShader, GLint internalFormat, GLenum fo
     _camera->attach(osg::Camera::COLOR_BUFFER0, _image);
     _stage->setCamera(_camera);
     _stage->setViewport(new osg::Viewport);
+    _camera->setViewport(_stage->getViewport());
     // Without it in the state, OSG falls back to the size that its viewports are made with.
     _stateSet->setAttribute(_stage->getViewport());
     _stage->setColorMask(new osg::ColorMask);

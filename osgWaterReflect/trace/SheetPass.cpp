@@ -1,6 +1,7 @@
 #include "SheetPass.h"
 
 #include "../Transforms.h"
+#include "../surface/EyeSide.h"
 #include "Bindings.h"
 #include "WaterProgram.h"
 
@@ -110,11 +111,6 @@ void SheetPass::setView(const SheetView& view, const glm::dmat4& eyeFromWorld,
                         const glm::dvec2& anchor, const WaveModel* waves, double time)
 {
     const glm::dvec4 eyePointEye = eyePointOf(view.clipFromEye);
-    const glm::dvec4 eyePoint = glm::inverse(view.eyeFromSurface) * eyePointEye;
-    double heightOfEye = eyePoint.z;
-    if (waves && eyePoint.w != 0.0)
-        heightOfEye -= waves->getHeight(osg::Vec2d(eyePoint.x, eyePoint.y), time);
-
     bindings::set(*_stateSet, bindings::EYE_POINT_EYE,
                   osg::Vec4(eyePointEye.x, eyePointEye.y, eyePointEye.z, eyePointEye.w));
     bindings::set(*_stateSet, bindings::WORLD_FROM_EYE,
@@ -123,7 +119,8 @@ void SheetPass::setView(const SheetView& view, const glm::dmat4& eyeFromWorld,
                   toOsgFloat(normalMatrix(view.eyeFromSurface)));
     bindings::set(*_stateSet, bindings::SURFACE_FROM_EYE,
                   toOsgFloat(glm::inverse(eyeFromAnchor(view, anchor))));
-    bindings::set(*_stateSet, bindings::SIDE, heightOfEye < 0.0 ? -1.0f : 1.0f);
+    bindings::set(*_stateSet, bindings::SIDE,
+                  static_cast<float>(sideOfEye(view.eyeFromSurface, view.clipFromEye, waves, time)));
 }
 
 void SheetPass::draw(osgUtil::CullVisitor& view, const Searched& searched,

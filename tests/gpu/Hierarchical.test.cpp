@@ -53,7 +53,7 @@ osg::ref_ptr<osg::Image> readPass(osgViewer::Viewer& viewer, osgUtil::RenderStag
     context.getState()->applyTextureAttribute(0, texture);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, image->data());
-    return image;
+    return lowerLeftPart(*image, camera->getViewport()->width(), camera->getViewport()->height());
 }
 
 osg::ref_ptr<osg::Image> readPass(osgViewer::Viewer& viewer, const std::string& cameraName)
@@ -109,8 +109,10 @@ TEST_CASE("a pyramid bounds what a capture shows, at any size")
         const osg::ref_ptr<osg::Image> cells =
             readPass(view.viewer(), "osgWaterReflect pyramid_pack.frag");
         REQUIRE(cells);
-        CHECK(cells->s() == (size.first + 3) / 4);
-        CHECK(cells->t() == (size.second + 3) / 4);
+        CHECK(windowZ.s() >= size.first); // and a guard band, in a part of larger textures
+        CHECK(windowZ.t() >= size.second);
+        CHECK(cells->s() == (windowZ.s() + 3) / 4);
+        CHECK(cells->t() == (windowZ.t() + 3) / 4);
 
         int wrong = 0;
         for (int y = 0; y < cells->t(); ++y)

@@ -118,7 +118,7 @@ Agreement compare(osg::Group& boxes, const osg::Vec3d& eye, double pitchDegrees)
     const double pitch = osg::DegreesToRadians(pitchDegrees);
     view.look(eye, eye + osg::Vec3d(0, std::cos(pitch), -std::sin(pitch)));
     positionCodes::paint(boxes);
-    const osg::ref_ptr<WaterSurface> water = scenes::createBoxesWater();
+    const osg::ref_ptr<WaterSurface> water = scenes::withoutBand(scenes::createBoxesWater());
     const osg::ref_ptr<osg::Group> scene = new osg::Group;
     scene->addChild(&boxes);
     scene->addChild(water);

@@ -113,7 +113,7 @@ TEST_CASE("a shadowed scene is captured with its shadows")
     const osg::ref_ptr<osg::Image> frame = copyOf(view.render(root));
     REQUIRE(countDifferent(*frame, *unshadowed, 0.05) > 30); // there are shadows
 
-    const osg::ref_ptr<WaterSurface> lake = scenes::createLake();
+    const osg::ref_ptr<WaterSurface> lake = scenes::withoutBand(scenes::createLake());
     SECTION("with water inside")
     {
         lake->setNodeMask(~0u & ~CASTS); // what may cast bounds the shadow map

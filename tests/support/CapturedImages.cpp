@@ -7,13 +7,16 @@
 #include <osgUtil/RenderStage>
 #include <osgViewer/Renderer>
 
+#include <cstring>
+
 using osgWaterReflect::Capture;
 
 namespace
 {
 
+// A texture's lower left part that a viewport covers; all of it without one.
 osg::ref_ptr<osg::Image> read(osg::State& state, osg::Texture2D& texture, GLenum format,
-                              GLenum type)
+                              GLenum type, const osg::Viewport* part = nullptr)
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
     const GLenum imageFormat = format == GL_DEPTH_COMPONENT ? GL_LUMINANCE : format;
@@ -22,7 +25,7 @@ osg::ref_ptr<osg::Image> read(osg::State& state, osg::Texture2D& texture, GLenum
     state.applyTextureAttribute(0, &texture);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glGetTexImage(GL_TEXTURE_2D, 0, format, type, image->data());
-    return image;
+    return part ? lowerLeftPart(*image, part->width(), part->height()) : image;
 }
 
 osg::Texture2D* attached(const osg::Camera& camera, osg::Camera::BufferComponent buffer)
@@ -49,8 +52,9 @@ void collect(const CapturedImages& to, osg::State& state, const osgUtil::RenderS
         image.of = stage.getCamera();
         image.clipFromEye = camera->getProjectionMatrix();
         image.colourFormat = colour->getInternalFormat();
-        image.colour = read(state, *colour, GL_RGBA, bytes ? GL_UNSIGNED_BYTE : GL_FLOAT);
-        image.windowZ = read(state, *windowZ, GL_DEPTH_COMPONENT, GL_FLOAT);
+        image.colour = read(state, *colour, GL_RGBA, bytes ? GL_UNSIGNED_BYTE : GL_FLOAT,
+                            camera->getViewport());
+        image.windowZ = read(state, *windowZ, GL_DEPTH_COMPONENT, GL_FLOAT, camera->getViewport());
         to.images.push_back(image);
         to.textures.push_back(colour);
         to.textures.push_back(windowZ);
@@ -69,6 +73,15 @@ osg::ref_ptr<osg::Texture2D> createWindowZTexture(int width, int height)
     texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
     return texture;
+}
+
+osg::ref_ptr<osg::Image> lowerLeftPart(const osg::Image& image, int width, int height)
+{
+    osg::ref_ptr<osg::Image> part = new osg::Image;
+    part->allocateImage(width, height, 1, image.getPixelFormat(), image.getDataType());
+    for (int row = 0; row < height; ++row)
+        std::memcpy(part->data(0, row), image.data(0, row), part->getRowSizeInBytes());
+    return part;
 }
 
 osg::ref_ptr<CapturedImages> CapturedImages::of(osg::Camera& camera)

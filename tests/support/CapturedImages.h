@@ -42,4 +42,7 @@ public:
     mutable unsigned int stages = 0; ///< that were rendered before the view's, nested ones too
 };
 
+/// A copy of an image's lower left part [pixels].
+osg::ref_ptr<osg::Image> lowerLeftPart(const osg::Image& image, int width, int height);
+
 #endif

@@ -64,6 +64,14 @@ osg::ref_ptr<WaterSurface> scenes::createLake(double level, double size)
                                          osg::Vec3(0, size, 0));
 }
 
+osg::ref_ptr<WaterSurface> scenes::withoutBand(const osg::ref_ptr<WaterSurface>& water)
+{
+    osgWaterReflect::ReflectionSettings settings = water->getReflection();
+    settings.guardBand = osgWaterReflect::GuardBandKind::NONE;
+    water->setReflection(settings);
+    return water;
+}
+
 osg::ref_ptr<osg::Group> scenes::createBoxes()
 {
     osg::ref_ptr<osg::Group> group = new osg::Group;

@@ -22,6 +22,10 @@ const osg::Vec3d HARBOUR_CENTRE(0.0, 0.0, 0.5);
 /// Calm square water about the origin.
 osg::ref_ptr<osgWaterReflect::WaterSurface> createLake(double level = 0.0, double size = 60.0);
 
+/// The same water, its captures no wider than the view.
+osg::ref_ptr<osgWaterReflect::WaterSurface>
+withoutBand(const osg::ref_ptr<osgWaterReflect::WaterSurface>& water);
+
 /// Boxes that stand in the water, near and far along +y, and one that hangs over it.
 osg::ref_ptr<osg::Group> createBoxes();
 

@@ -83,6 +83,18 @@ TEST_CASE("reflection settings out of range are refused, by name, and the old on
     checkMember<ReflectionSettings, double>(
         "ReflectionSettings::captureScale", &ReflectionSettings::captureScale,
         {0.0, -1.0, 1.0000001, NaN, INF, -INF}, {TINY, 0.5, 1.0}, setReflection, getReflection);
+    checkMember<ReflectionSettings, GuardBandKind>(
+        "ReflectionSettings::guardBand", &ReflectionSettings::guardBand,
+        {static_cast<GuardBandKind>(0), static_cast<GuardBandKind>(4),
+         static_cast<GuardBandKind>(-1)},
+        {GuardBandKind::NONE, GuardBandKind::FIXED, GuardBandKind::ADAPTIVE}, setReflection,
+        getReflection);
+    checkMember<ReflectionSettings, double>(
+        "ReflectionSettings::maxExtraPixels", &ReflectionSettings::maxExtraPixels,
+        {-TINY, -1.0, 3.0001, NaN, INF, -INF}, {0.0, TINY, 3.0}, setReflection, getReflection);
+    checkMember<ReflectionSettings, double>(
+        "ReflectionSettings::guardBandShare", &ReflectionSettings::guardBandShare,
+        {-TINY, -1.0, 1.0001, NaN, INF, -INF}, {0.0, TINY, 1.0}, setReflection, getReflection);
 }
 
 TEST_CASE("optics out of range are refused, by name, and the old ones stay")
@@ -123,6 +135,9 @@ TEST_CASE("a copy of a water surface has every option of the original")
     reflection.thickness = 0.25;
     reflection.stride = 3;
     reflection.captureScale = 0.75;
+    reflection.guardBand = GuardBandKind::FIXED;
+    reflection.maxExtraPixels = 0.5;
+    reflection.guardBandShare = 0.125;
     REQUIRE(water->setReflection(reflection));
     WaterOptics optics;
     optics.refractiveIndex = 1.4;

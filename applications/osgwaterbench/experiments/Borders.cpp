@@ -12,6 +12,7 @@
 #include <iostream>
 
 using namespace osgwaterbench;
+using osgWaterReflect::GuardBandKind;
 using osgWaterReflect::ReflectionSettings;
 using osgWaterReflect::Search;
 
@@ -23,10 +24,15 @@ const int QUICK_DIVISOR = 4; // of both sides
 
 std::vector<Method> methods()
 {
-    ReflectionSettings sequential;
+    ReflectionSettings plain;
+    plain.guardBand = GuardBandKind::NONE;
+    ReflectionSettings sequential = plain;
     sequential.search = Search::SEQUENTIAL;
+    ReflectionSettings fixed;
+    fixed.guardBand = GuardBandKind::FIXED;
     return {baselineMethod(), libraryMethod("sequential", sequential),
-            libraryMethod("hierarchical", {}), skyOnlyMethod()};
+            libraryMethod("hierarchical", plain), libraryMethod("hierarchical, band 25 %", fixed),
+            libraryMethod("hierarchical, adaptive band", {})};
 }
 
 double searchTime(const CaseTime& time)

@@ -13,6 +13,7 @@ Method replacingTrace(const std::string& name, const std::string& file,
     Method method;
     method.name = name;
     method.settings.search = osgWaterReflect::Search::SEQUENTIAL; // which needs no pyramid
+    method.settings.guardBand = osgWaterReflect::GuardBandKind::NONE;
     method.pieces["reflection.glsl"] = benchShaders.at(file);
     for (const char* helper : {"answer.glsl", "image_columns.glsl", "eye_depth.glsl"})
         method.pieces[helper] = benchShaders.at(helper);

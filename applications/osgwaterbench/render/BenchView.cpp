@@ -9,6 +9,7 @@
 #include <osgUtil/RenderStage>
 #include <osgViewer/Renderer>
 
+#include <cstring>
 #include <stdexcept>
 
 using namespace osgwaterbench;
@@ -30,7 +31,9 @@ osg::Texture2D* windowZTexture(const osg::Camera& camera)
                : dynamic_cast<osg::Texture2D*>(found->second._texture.get());
 }
 
-osg::ref_ptr<osg::Image> readWindowZ(osg::State& state, const osg::Texture2D& texture)
+// Of the part that a viewport covers.
+osg::ref_ptr<osg::Image> readWindowZ(osg::State& state, const osg::Texture2D& texture,
+                                     const osg::Viewport& viewport)
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(texture.getTextureWidth(), texture.getTextureHeight(), 1, GL_LUMINANCE,
@@ -38,7 +41,12 @@ osg::ref_ptr<osg::Image> readWindowZ(osg::State& state, const osg::Texture2D& te
     state.applyTextureAttribute(0, &texture);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, image->data());
-    return image;
+
+    const osg::ref_ptr<osg::Image> used = new osg::Image;
+    used->allocateImage(viewport.width(), viewport.height(), 1, GL_LUMINANCE, GL_FLOAT);
+    for (int row = 0; row < used->t(); ++row)
+        std::memcpy(used->data(0, row), image->data(0, row), used->getRowSizeInBytes());
+    return used;
 }
 
 // The camera of the capture among the stages that are rendered before a view.
@@ -156,8 +164,8 @@ SearchedImage BenchView::searchedImage()
     if (!windowZ) throw std::runtime_error("expected a capture in the frame, got none");
     osg::GraphicsContext& context = *_viewer.getCamera()->getGraphicsContext();
     context.makeCurrent();
-    return {readWindowZ(*context.getState(), *windowZ), searched->getViewMatrix(),
-            searched->getProjectionMatrix()};
+    return {readWindowZ(*context.getState(), *windowZ, *searched->getViewport()),
+            searched->getViewMatrix(), searched->getProjectionMatrix()};
 }
 
 void BenchView::watchImages()

@@ -1,0 +1,83 @@
+#include "BandDemand.h"
+
+#include "../surface/EyeSide.h"
+#include "../surface/StillWater.h"
+#include "ReflectedExtent.h"
+
+#include <osgWaterReflect/WaterSurface>
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+
+using namespace osgWaterReflect;
+
+namespace
+{
+
+NdcExtent reflectedBy(const MetWater& met, const glm::dmat4& clipFromEye, double time)
+{
+    const WaveModel* const waves = met.water->getWaves();
+    NdcExtent extent;
+    for (const osg::ref_ptr<StillWater>& still : *met.sheets)
+    {
+        ReflectingSheet sheet;
+        sheet.hull = still->hull();
+        sheet.eyeFromSurface = met.eyeFromLocal * still->localFromSurface();
+        sheet.amplitude = waves ? waves->getAmplitude() : 0.0;
+        sheet.maxSlope = waves ? waves->getMaxSlope() : 0.0;
+        sheet.side = sideOfEye(sheet.eyeFromSurface, clipFromEye, waves, time);
+        extent = unite(extent, reflectedExtent(sheet, clipFromEye));
+    }
+    return extent;
+}
+
+// The view with a band of shares of its size on each side.
+NdcExtent widenedBy(double share)
+{
+    const double side = 1.0 + 2.0 * share;
+    return {-side, side, -side, side};
+}
+
+} // namespace
+
+BandDemand::BandDemand(const std::vector<MetWater>& waters, const glm::dmat4& clipFromEye,
+                       double time)
+{
+    for (const MetWater& met : waters)
+    {
+        const ReflectionSettings& settings = met.water->getReflection();
+        _seesDrawnSky = _seesDrawnSky || !met.water->getSky();
+        if (settings.guardBand == GuardBandKind::FIXED)
+            _fixedShare = std::max(_fixedShare, settings.guardBandShare);
+        if (settings.guardBand != GuardBandKind::ADAPTIVE || settings.maxExtraPixels == 0.0)
+            continue;
+        _maxExtraPixels = std::max(_maxExtraPixels, settings.maxExtraPixels);
+        _reflected = unite(_reflected, reflectedBy(met, clipFromEye, time));
+    }
+    const NdcExtent view;
+    _adapts = _reflected.left < view.left || _reflected.right > view.right ||
+              _reflected.bottom < view.bottom || _reflected.top > view.top;
+}
+
+// A side may have all of the extra pixels.
+NdcExtent BandDemand::possible() const
+{
+    return unite(widenedBy(_fixedShare), intersect(_reflected, widenedBy(_maxExtraPixels)));
+}
+
+GuardBand BandDemand::band(const NdcExtent& scene, const glm::ivec2& viewSize) const
+{
+    const NdcExtent needed = unite(NdcExtent(), intersect(_reflected, scene));
+    const GuardBand adapted = bandFor(needed, viewSize, _maxExtraPixels);
+    // A fixed band is never cut down: with a whole side each, it has nine times the view's pixels.
+    const GuardBand fixed = bandFor(widenedBy(_fixedShare), viewSize, 8.0);
+    return {std::max(adapted.left, fixed.left), std::max(adapted.right, fixed.right),
+            std::max(adapted.bottom, fixed.bottom), std::max(adapted.top, fixed.top)};
+}
+
+glm::ivec2 BandDemand::largestSize(const glm::ivec2& viewSize) const
+{
+    const double factor = 1.0 + std::max(_maxExtraPixels, 2.0 * _fixedShare);
+    return glm::ivec2(glm::ceil(factor * glm::dvec2(viewSize)));
+}

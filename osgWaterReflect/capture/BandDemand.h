@@ -1,0 +1,44 @@
+#ifndef OSGWATERREFLECT_CAPTURE_BANDDEMAND_H
+#define OSGWATERREFLECT_CAPTURE_BANDDEMAND_H
+
+#include "CaptureVisitor.h"
+#include "GuardBand.h"
+
+namespace osgWaterReflect
+{
+
+/// What the waters of a view ask of its capture's guard band, together.
+class BandDemand
+{
+public:
+    /// waters       whose settings and waves count
+    ///   clipFromEye  the view's
+    ///   time         [s]
+    BandDemand(const std::vector<MetWater>& waters, const glm::dmat4& clipFromEye, double time);
+
+    /// What may have to be captured, whatever the scene holds.
+    NdcExtent possible() const;
+
+    /// Whether any of it depends on what the scene holds.
+    bool adapts() const { return _adapts; }
+
+    /// Whether rays may see the sky that the scene draws.
+    bool seesDrawnSky() const { return _seesDrawnSky; }
+
+    /// [pixels] What of it is captured where the scene reaches so far.
+    GuardBand band(const NdcExtent& scene, const glm::ivec2& viewSize) const;
+
+    /// [pixels] The widest and the tallest image that any band of these waters' settings makes.
+    glm::ivec2 largestSize(const glm::ivec2& viewSize) const;
+
+private:
+    NdcExtent _reflected; // of ADAPTIVE bands
+    double _fixedShare = 0.0;
+    double _maxExtraPixels = 0.0;
+    bool _adapts = false;
+    bool _seesDrawnSky = false;
+};
+
+} // namespace osgWaterReflect
+
+#endif
