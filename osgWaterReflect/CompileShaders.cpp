@@ -18,6 +18,7 @@ CompileShaders::CompileShaders() : osg::GraphicsOperation("CompileShaders", fals
         _programs.push_back(waterProgram(waves.get()));
     for (const osg::ref_ptr<osg::Program>& program : Pyramid::programs())
         _programs.push_back(program);
+    _programs.push_back(ImagePass::program(Capture::STRAIGHTEN));
 }
 
 // Linking is only a part: drivers leave the rest to the first draw, for the formats and the state
@@ -49,28 +50,31 @@ void CompileShaders::operator()(osg::GraphicsContext* context)
     osg::State& state = *context->getState();
     for (const osg::ref_ptr<WaveModel>& waves : _waveModels)
         for (Search search : {Search::SEQUENTIAL, Search::BINARY, Search::HIERARCHICAL})
-            for (const osg::ref_ptr<osg::TextureCubeMap>& cubeMap : {noSky, sky})
-                for (auto debugView :
-                     {WaterSurface::DebugView::NONE, WaterSurface::DebugView::REASON,
-                      WaterSurface::DebugView::REFLECTION})
-                {
-                    const osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
-                    stateSet->setAttributeAndModes(waterProgram(waves.get()));
-                    setVariant(*stateSet, search, Images::ONE,
-                               cubeMap ? SkySource::CUBE_MAP : SkySource::CAPTURED, debugView);
-                    state.apply(stateSet);
-                    const osg::Program::PerContextProgram* linked =
-                        state.getLastAppliedProgramObject();
-                    ++(linked && linked->isLinked() ? _numCompiled : _numFailed);
+            for (CaptureKind capture : {CaptureKind::VIEW, CaptureKind::VIEW_AND_MIRROR})
+                for (const osg::ref_ptr<osg::TextureCubeMap>& cubeMap : {noSky, sky})
+                    for (auto debugView :
+                         {WaterSurface::DebugView::NONE, WaterSurface::DebugView::REASON,
+                          WaterSurface::DebugView::REFLECTION})
+                    {
+                        const osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
+                        stateSet->setAttributeAndModes(waterProgram(waves.get()));
+                        setVariant(*stateSet, search,
+                                   capture == CaptureKind::VIEW ? Images::ONE : Images::TWO,
+                                   cubeMap ? SkySource::CUBE_MAP : SkySource::CAPTURED, debugView);
+                        state.apply(stateSet);
+                        const osg::Program::PerContextProgram* linked =
+                            state.getLastAppliedProgramObject();
+                        ++(linked && linked->isLinked() ? _numCompiled : _numFailed);
 
-                    ReflectionSettings settings;
-                    settings.search = search;
-                    water->setReflection(settings);
-                    water->setWaves(waves);
-                    water->setSky(cubeMap);
-                    water->setDebugView(debugView);
-                    water->getBound();
-                    view->cull();
-                    view->draw();
-                }
+                        ReflectionSettings settings;
+                        settings.search = search;
+                        settings.capture = capture;
+                        water->setReflection(settings);
+                        water->setWaves(waves);
+                        water->setSky(cubeMap);
+                        water->setDebugView(debugView);
+                        water->getBound();
+                        view->cull();
+                        view->draw();
+                    }
 }

@@ -8,6 +8,10 @@ bool ReflectionSettings::check() const
 {
     if (search != Search::SEQUENTIAL && search != Search::BINARY && search != Search::HIERARCHICAL)
         return refuse("ReflectionSettings::search", "a member of Search", static_cast<int>(search));
+    if (capture != CaptureKind::VIEW && capture != CaptureKind::MIRROR &&
+        capture != CaptureKind::VIEW_AND_MIRROR)
+        return refuse("ReflectionSettings::capture", "a member of CaptureKind",
+                      static_cast<int>(capture));
     if (!expectPositive("ReflectionSettings::thickness", thickness)) return false;
     if (!expectRange("ReflectionSettings::stride", stride, 1, 64)) return false;
     if (!(captureScale > 0.0 && captureScale <= 1.0))
@@ -22,7 +26,7 @@ bool ReflectionSettings::check() const
 
 bool ReflectionSettings::operator==(const ReflectionSettings& rhs) const
 {
-    return search == rhs.search && thickness == rhs.thickness && stride == rhs.stride &&
-           captureScale == rhs.captureScale && guardBand == rhs.guardBand &&
+    return search == rhs.search && capture == rhs.capture && thickness == rhs.thickness &&
+           stride == rhs.stride && captureScale == rhs.captureScale && guardBand == rhs.guardBand &&
            maxExtraPixels == rhs.maxExtraPixels && guardBandShare == rhs.guardBandShare;
 }

@@ -28,11 +28,51 @@ void ViewRecord::draw(osgUtil::CullVisitor& view, const WaterSurface& water,
                       const StillWater& sheet)
 {
     CameraCapture& entry = captureFor(*view.getCurrentCamera());
-    entry.capture->require(view);
-    const bool hierarchical = water.getReflection().search == Search::HIERARCHICAL;
-    if (hierarchical) entry.pyramid->require(*entry.capture);
-    const Searched searched = {*entry.capture, hierarchical ? entry.pyramid.get() : nullptr};
+    beginCull(entry, view);
+    const ReflectionSettings& settings = water.getReflection();
+    const auto take = [&](const CaptureEye& eye) -> Searched
+    {
+        const Taken& taken = takenFrom(entry, eye);
+        taken.capture->require(view, eye);
+        if (settings.search != Search::HIERARCHICAL) return {*taken.capture, nullptr};
+        taken.pyramid->require(*taken.capture);
+        return {*taken.capture, taken.pyramid.get()};
+    };
+    std::vector<Searched> searched;
+    if (settings.capture != CaptureKind::MIRROR) searched.push_back(take(viewEye(view)));
+    if (settings.capture != CaptureKind::VIEW)
+        searched.push_back(take(mirroredEye(view, water, sheet)));
     passFor(entry, water, sheet).draw(view, searched, water, sheet);
+}
+
+// The first water that a cull comes to finds none of the captures arranged. What the cull before
+// had no use for goes.
+void ViewRecord::beginCull(CameraCapture& entry, osgUtil::CullVisitor& view)
+{
+    const std::lock_guard<std::mutex> lock(_mutex);
+    if (std::any_of(entry.taken.begin(), entry.taken.end(),
+                    [&](const Taken& taken) { return taken.capture->isArranged(view); }))
+        return;
+    entry.taken.remove_if([&](const Taken& taken) { return taken.cull != entry.cull; });
+    ++entry.cull;
+}
+
+// What this cull has taken already from that eye, or else what an earlier one took from any.
+ViewRecord::Taken& ViewRecord::takenFrom(CameraCapture& entry, const CaptureEye& eye)
+{
+    const std::lock_guard<std::mutex> lock(_mutex);
+    auto& all = entry.taken;
+    const auto now =
+        std::find_if(all.begin(), all.end(),
+                     [&](const Taken& taken)
+                     { return taken.cull == entry.cull && serveTogether(taken.eye, eye); });
+    if (now != all.end()) return *now;
+    auto found = std::find_if(all.begin(), all.end(),
+                              [&](const Taken& taken) { return taken.cull != entry.cull; });
+    if (found == all.end()) found = all.insert(found, {eye, new Capture, new Pyramid});
+    found->eye = eye;
+    found->cull = entry.cull;
+    return *found;
 }
 
 ViewRecord::CameraCapture& ViewRecord::captureFor(osg::Camera& camera)
@@ -41,7 +81,7 @@ ViewRecord::CameraCapture& ViewRecord::captureFor(osg::Camera& camera)
     _captures.remove_if([](const CameraCapture& entry) { return !entry.camera.valid(); });
     for (CameraCapture& entry : _captures)
         if (entry.camera == &camera) return entry;
-    _captures.push_back({&camera, new Capture, new Pyramid, {}});
+    _captures.push_back({&camera, {}, {}});
     return _captures.back();
 }
 
@@ -51,17 +91,16 @@ SheetPass& ViewRecord::passFor(CameraCapture& entry, const WaterSurface& water,
                                const StillWater& sheet)
 {
     const std::lock_guard<std::mutex> lock(_mutex);
-    const unsigned int serial = entry.capture->serial();
     entry.sheets.remove_if([](const DrawnSheet& drawn)
                            { return !drawn.water.valid() || !drawn.sheet.valid(); });
     auto drawn = std::find_if(entry.sheets.begin(), entry.sheets.end(),
                               [&](const DrawnSheet& candidate) {
                                   return candidate.water == &water && candidate.sheet == &sheet &&
-                                         candidate.serial != serial;
+                                         candidate.cull != entry.cull;
                               });
     if (drawn == entry.sheets.end())
-        drawn = entry.sheets.insert(drawn, {&water, &sheet, serial, false, new SheetPass});
-    drawn->serial = serial;
+        drawn = entry.sheets.insert(drawn, {&water, &sheet, entry.cull, false, new SheetPass});
+    drawn->cull = entry.cull;
     drawn->released = false;
     return *drawn->pass;
 }
@@ -82,8 +121,11 @@ void ViewRecord::release(const WaterSurface& water, osg::State* state)
 
 void ViewRecord::releaseGLObjects(const CameraCapture& entry, osg::State* state)
 {
-    entry.capture->releaseGLObjects(state);
-    entry.pyramid->releaseGLObjects(state);
+    for (const Taken& taken : entry.taken)
+    {
+        taken.capture->releaseGLObjects(state);
+        taken.pyramid->releaseGLObjects(state);
+    }
     for (const DrawnSheet& drawn : entry.sheets)
         drawn.pass->releaseGLObjects(state);
 }
@@ -100,8 +142,11 @@ void ViewRecord::resizeGLObjectBuffers(unsigned int maxSize)
     const std::lock_guard<std::mutex> lock(_mutex);
     for (CameraCapture& entry : _captures)
     {
-        entry.capture->resizeGLObjectBuffers(maxSize);
-        entry.pyramid->resizeGLObjectBuffers(maxSize);
+        for (const Taken& taken : entry.taken)
+        {
+            taken.capture->resizeGLObjectBuffers(maxSize);
+            taken.pyramid->resizeGLObjectBuffers(maxSize);
+        }
         for (DrawnSheet& drawn : entry.sheets)
             drawn.pass->resizeGLObjectBuffers(maxSize);
     }
@@ -110,7 +155,10 @@ void ViewRecord::resizeGLObjectBuffers(unsigned int maxSize)
 std::size_t ViewRecord::numCaptures() const
 {
     const std::lock_guard<std::mutex> lock(_mutex);
-    return _captures.size();
+    std::size_t count = 0;
+    for (const CameraCapture& entry : _captures)
+        count += entry.taken.size();
+    return count;
 }
 
 std::size_t ViewRecord::numPasses() const

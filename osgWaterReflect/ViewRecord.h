@@ -13,8 +13,9 @@
 namespace osgWaterReflect
 {
 
-/// All that is held for the water of one view: a capture for each of its cameras with its pyramid,
-/// and a pass for each sheet of water that the camera sees.
+/// All that is held for the water of one view: for each of its cameras the captures with their
+/// pyramids, one of the camera's eye and one of that eye mirrored in each plane of water, as far as
+/// the waters in view ask for them; and a pass for each sheet of water that the camera sees.
 ///
 /// It is attached to the view's CullVisitor and lives as long. (A view that draws one frame while
 /// it culls the next has two, and so has each eye in stereo.) Only that visitor's thread draws;
@@ -52,21 +53,31 @@ private:
     {
         osg::observer_ptr<const WaterSurface> water;
         osg::observer_ptr<const StillWater> sheet;
-        unsigned int serial = 0; // of the capture when it was drawn last
-        bool released = false;   // since then
+        unsigned int cull = 0; // number of the cull that drew it last
+        bool released = false; // since then
         osg::ref_ptr<SheetPass> pass;
+    };
+
+    struct Taken
+    {
+        CaptureEye eye;
+        osg::ref_ptr<Capture> capture;
+        osg::ref_ptr<Pyramid> pyramid; // its images are made when it is first required
+        unsigned int cull = 0;         // number of the cull that took it last
     };
 
     struct CameraCapture
     {
         osg::observer_ptr<osg::Camera> camera;
-        osg::ref_ptr<Capture> capture;
-        osg::ref_ptr<Pyramid> pyramid; // its images are made when it is first required
+        std::list<Taken> taken;
         std::list<DrawnSheet> sheets;
+        unsigned int cull = 0; // number of the cull that has come to some water last
     };
 
     static void releaseGLObjects(const CameraCapture& entry, osg::State* state);
     CameraCapture& captureFor(osg::Camera& camera);
+    void beginCull(CameraCapture& entry, osgUtil::CullVisitor& view);
+    Taken& takenFrom(CameraCapture& entry, const CaptureEye& eye);
     SheetPass& passFor(CameraCapture& entry, const WaterSurface& water, const StillWater& sheet);
 
     osg::observer_ptr<osgUtil::CullVisitor> _view;

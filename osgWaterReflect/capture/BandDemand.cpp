@@ -1,6 +1,6 @@
 #include "BandDemand.h"
 
-#include "../surface/EyeSide.h"
+#include "../surface/EyeHeight.h"
 #include "../surface/StillWater.h"
 #include "ReflectedExtent.h"
 
@@ -26,7 +26,8 @@ NdcExtent reflectedBy(const MetWater& met, const glm::dmat4& clipFromEye, double
         sheet.eyeFromSurface = met.eyeFromLocal * still->localFromSurface();
         sheet.amplitude = waves ? waves->getAmplitude() : 0.0;
         sheet.maxSlope = waves ? waves->getMaxSlope() : 0.0;
-        sheet.side = sideOfEye(sheet.eyeFromSurface, clipFromEye, waves, time);
+        const double height = heightOfEye(sheet.eyeFromSurface, clipFromEye, waves, time);
+        sheet.side = height < 0.0 ? -1.0 : 1.0;
         extent = unite(extent, reflectedExtent(sheet, clipFromEye));
     }
     return extent;
@@ -47,6 +48,7 @@ BandDemand::BandDemand(const std::vector<MetWater>& waters, const glm::dmat4& cl
     for (const MetWater& met : waters)
     {
         const ReflectionSettings& settings = met.water->getReflection();
+        if (settings.capture == CaptureKind::MIRROR) continue; // it is not looked for in this one
         _seesDrawnSky = _seesDrawnSky || !met.water->getSky();
         if (settings.guardBand == GuardBandKind::FIXED)
             _fixedShare = std::max(_fixedShare, settings.guardBandShare);

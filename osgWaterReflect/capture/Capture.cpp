@@ -1,6 +1,7 @@
 #include "Capture.h"
 
 #include "../Transforms.h"
+#include "../trace/Bindings.h"
 #include "BandDemand.h"
 #include "StageContent.h"
 
@@ -103,33 +104,68 @@ bool Capture::serves(osgUtil::CullVisitor& view)
     return attachments.empty() || hasColour;
 }
 
-void Capture::require(osgUtil::CullVisitor& view)
+bool Capture::isArranged(osgUtil::CullVisitor& view) const
 {
-    osgUtil::RenderStage& viewStage = *view.getCurrentRenderStage();
-    const auto& arranged = viewStage.getPreRenderList();
-    const bool done = std::any_of(arranged.begin(), arranged.end(),
-                                  [this](const auto& stage) { return stage.second == _stage; });
-    if (done) return;
+    const auto& arranged = view.getCurrentRenderStage()->getPreRenderList();
+    return std::any_of(arranged.begin(), arranged.end(),
+                       [this](const auto& stage) { return stage.second == _stage; });
+}
+
+void Capture::require(osgUtil::CullVisitor& view, const CaptureEye& eye)
+{
+    if (isArranged(view)) return;
     ++_serial;
 
     const osg::ref_ptr<osg::RefMatrix> projection = new osg::RefMatrix;
-    cull(view, *projection);
-    _clipFromEye = fromOsg(*projection);
-    _camera->setViewMatrix(*viewStage.getInitialViewMatrix()); // for draw callbacks that ask it
-    _camera->setProjectionMatrix(*projection);
+    _mirrored = eye.floor.has_value();
+    cull(view, eye, *projection);
+    _projection = fromOsg(*projection);
+    _clipFromEye = _projection * eye.eyeFromViewEye;
 
     // After every texture of the scene's own that the view renders first.
-    viewStage.addPreRenderStage(_stage.get(), INT_MAX);
+    view.getCurrentRenderStage()->addPreRenderStage(_stage.get(), INT_MAX);
+    if (_mirrored) cutOff(*eye.floor, *projection);
+
+    // For draw callbacks that ask it, and for those who look into a frame.
+    _camera->setName(_mirrored ? MIRROR_CAMERA_NAME : CAMERA_NAME);
+    _camera->setViewMatrix(*_stage->getInitialViewMatrix());
+    _camera->setProjectionMatrix(*projection);
+}
+
+// The scene is culled, and near and far are fitted, with the projection as it would be without the
+// floor: OpenSceneGraph's clamp would move an oblique near plane, and so would its culling a far
+// plane. What has been culled refers to the matrix, and is drawn with what it is in the end.
+void Capture::cutOff(const WaterPlane& floor, osg::RefMatrix& projection)
+{
+    const ObliqueProjection oblique = obliqueProjection(_projection, floor, highestWaves());
+    projection.set(toOsg(oblique.clipFromEye));
+
+    if (!_straightened) _straightened = new ImagePass(STRAIGHTEN, GL_R32F, GL_RED);
+    _straightened->setInput(0, bindings::OBLIQUE_WINDOW_Z, _windowZ);
+    const glm::dvec4& straightened = oblique.straightened;
+    bindings::set(_straightened->stateSet(), bindings::STRAIGHTENED,
+                  osg::Vec4(straightened.x / _size.x, straightened.y / _size.y, straightened.z,
+                            straightened.w));
+    _straightened->require(*_stage, _size, _capacity);
+}
+
+double Capture::highestWaves() const
+{
+    double amplitude = 0.0;
+    for (const MetWater& met : _visitor->waters())
+        if (const WaveModel* const waves = met.water->getWaves())
+            amplitude = std::max(amplitude, waves->getAmplitude());
+    return amplitude;
 }
 
 // How wide a capture must be is known only when its waters have been met. So it is culled somewhat
 // wider than the last frame's waters asked for, and once more where this frame's ask for more; what
 // is then drawn depends on this frame alone.
-void Capture::cull(osgUtil::CullVisitor& view, osg::RefMatrix& projection)
+void Capture::cull(osgUtil::CullVisitor& view, const CaptureEye& eye, osg::RefMatrix& projection)
 {
     const osg::Viewport& viewport = *view.getViewport();
     const glm::ivec2 viewportSize(std::ceil(viewport.width()), std::ceil(viewport.height()));
-    const glm::dmat4 clipFromEye = fromOsg(*view.getProjectionMatrix());
+    const glm::dmat4& clipFromEye = eye.clipFromEye;
     const double time = view.getFrameStamp() ? view.getFrameStamp()->getSimulationTime() : 0.0;
 
     const auto cullWithin = [&](const NdcExtent& extent)
@@ -138,8 +174,9 @@ void Capture::cull(osgUtil::CullVisitor& view, osg::RefMatrix& projection)
         const glm::ivec2 size = widened(viewportSize, band);
         const osg::ref_ptr<osg::Viewport> wide = new osg::Viewport(0, 0, size.x, size.y);
         projection.set(toOsg(widened(clipFromEye, viewportSize, band)));
-        _visitor->cull(view, *_stage, projection, *wide);
-        return BandDemand(_visitor->waters(), clipFromEye, time);
+        _visitor->cull(view, *_stage, toOsg(eye.eyeFromViewEye), projection, *wide);
+        return _mirrored ? BandDemand({}, clipFromEye, time)
+                         : BandDemand(_visitor->waters(), clipFromEye, time);
     };
     BandDemand demand = cullWithin(_culled);
     if (!contains(_culled, demand.possible()))
@@ -195,14 +232,14 @@ void Capture::allocate(const osg::Camera& camera, const BandDemand& demand)
 
 Capture::DepthScale Capture::depthScale() const
 {
-    const bool orthographic = eyePointOf(_clipFromEye).w == 0.0;
-    if (orthographic) return {0.0, 0.5 * std::abs(_clipFromEye[2][2])};
-    return {0.5 * std::abs(_clipFromEye[3][2]), 0.0};
+    const bool orthographic = eyePointOf(_projection).w == 0.0;
+    if (orthographic) return {0.0, 0.5 * std::abs(_projection[2][2])};
+    return {0.5 * std::abs(_projection[3][2]), 0.0};
 }
 
 double Capture::pixelExtent() const
 {
-    const double clipXPerUnit = std::hypot(_clipFromEye[0][0], _clipFromEye[1][0]);
+    const double clipXPerUnit = std::hypot(_projection[0][0], _projection[1][0]);
     return 2.0 / (clipXPerUnit * _size.x);
 }
 
@@ -210,6 +247,7 @@ void Capture::releaseGLObjects(osg::State* state) const
 {
     _colour->releaseGLObjects(state);
     _windowZ->releaseGLObjects(state);
+    if (_straightened) _straightened->releaseGLObjects(state);
     _stage->releaseGLObjects(state);
 }
 
@@ -217,4 +255,5 @@ void Capture::resizeGLObjectBuffers(unsigned int maxSize)
 {
     _colour->resizeGLObjectBuffers(maxSize);
     _windowZ->resizeGLObjectBuffers(maxSize);
+    if (_straightened) _straightened->resizeGLObjectBuffers(maxSize);
 }

@@ -1,8 +1,10 @@
 #ifndef OSGWATERREFLECT_CAPTURE_CAPTURE_H
 #define OSGWATERREFLECT_CAPTURE_CAPTURE_H
 
+#include "../pyramid/ImagePass.h"
 #include "CaptureVisitor.h"
 #include "GuardBand.h"
+#include "MirroredEye.h"
 #include "NdcExtent.h"
 
 #include <osg/Camera>
@@ -17,13 +19,13 @@ namespace osgWaterReflect
 class BandDemand;
 
 /// An image of the scene without its water, and the matrix it was taken with: what one camera of
-/// one view sees this frame, rendered before that camera.
+/// one view sees this frame, or what its eye mirrored in water does, rendered before that camera.
 ///
-/// | image   | format                                    | size                       |
-/// |---------|-------------------------------------------|----------------------------|
-/// | colour  | RGBA8, or that of the camera's own buffer | viewport times captureScale, |
-/// |         |                                           | and the guard band         |
-/// | windowZ | 24-bit depth                              | the same                   |
+/// | image   | format                                         | size                         |
+/// |---------|------------------------------------------------|------------------------------|
+/// | colour  | RGBA8, or that of the camera's own buffer      | viewport times captureScale, |
+/// |         |                                                | and the guard band           |
+/// | windowZ | 24-bit depth; R32F where it is a mirrored eye's | the same                     |
 ///
 /// The textures are made for the largest band, of which a frame uses a part.
 class Capture : public osg::Referenced
@@ -31,19 +33,29 @@ class Capture : public osg::Referenced
 public:
     /// Of the camera of every capture's render stage, for those who look into a frame.
     static constexpr const char* CAMERA_NAME = "osgWaterReflect capture";
+    static constexpr const char* MIRROR_CAMERA_NAME = "osgWaterReflect mirror";
+
+    /// The fragment shader of what makes a mirrored eye's windowZ.
+    static constexpr const char* STRAIGHTEN = "straighten_depth.frag";
 
     Capture();
 
     /// Renders the capture before the view's current stage, unless that has been arranged in this
-    /// cull already. The most demanding of the waters that it meets set scale and guard band.
-    void require(osgUtil::CullVisitor& view);
+    /// cull already. The most demanding of the waters that it meets set scale and guard band (a
+    /// mirrored eye's capture has none), and the highest waves how much under a mirrored eye's
+    /// floor is drawn.
+    void require(osgUtil::CullVisitor& view, const CaptureEye& eye);
+
+    /// Whether it has been, in this cull.
+    bool isArranged(osgUtil::CullVisitor& view) const;
 
     /// Whether water can be reflected for this camera: not while it renders depth alone (a shadow
     /// map), nor into an empty viewport.
     static bool serves(osgUtil::CullVisitor& view);
 
     osg::Texture2D* colour() const { return _colour.get(); }
-    osg::Texture2D* windowZ() const { return _windowZ.get(); }
+    osg::Texture2D* windowZ() const { return _mirrored ? _straightened->image() : _windowZ.get(); }
+    bool isMirrored() const { return _mirrored; }
     const osg::Vec4& clearColour() const { return _stage->getClearColor(); }
 
     /// [pixels] Of the lower left part of the textures that is in use, and of all.
@@ -54,6 +66,7 @@ public:
     const GuardBand& band() const { return _band; }
 
     /// From the view's eye space to the capture's own clip space, near and far as they were fitted.
+    /// That of a mirrored eye turns left for right.
     const glm::dmat4& clipFromEye() const { return _clipFromEye; }
 
     /// How windowZ changes with depth: by perspective / depth, or by orthographic * depth. The one
@@ -78,13 +91,18 @@ public:
     void resizeGLObjectBuffers(unsigned int maxSize);
 
 private:
-    void cull(osgUtil::CullVisitor& view, osg::RefMatrix& projection);
+    void cull(osgUtil::CullVisitor& view, const CaptureEye& eye, osg::RefMatrix& projection);
     glm::ivec2 scaledViewSize(const osg::Viewport& viewport) const;
     void allocate(const osg::Camera& camera, const BandDemand& demand);
+    double highestWaves() const;
+
+    /// Cuts off what is under the floor, from what has been culled with a projection.
+    void cutOff(const WaterPlane& floor, osg::RefMatrix& projection);
 
     osg::ref_ptr<osg::Texture2D> _colour;
     osg::ref_ptr<osg::Texture2D> _windowZ;
-    osg::ref_ptr<osg::Camera> _camera; // holds the attachments; it is no node of the scene
+    osg::ref_ptr<ImagePass> _straightened; // null until a mirrored eye asks for it
+    osg::ref_ptr<osg::Camera> _camera;     // holds the attachments; it is no node of the scene
     osg::ref_ptr<osgUtil::RenderStage> _stage;
     osg::ref_ptr<CaptureVisitor> _visitor;
     NdcExtent _culled; // what the last cull was widened to
@@ -93,7 +111,9 @@ private:
     glm::ivec2 _size{0};     // the same with the band
     glm::ivec2 _capacity{0};
     glm::ivec2 _allocatedFor{0}; // view size
+    glm::dmat4 _projection{1.0}; // its own, near and far as they were fitted
     glm::dmat4 _clipFromEye{1.0};
+    bool _mirrored = false;
     unsigned int _serial = 0;
 };
 

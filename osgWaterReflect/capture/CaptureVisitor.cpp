@@ -48,7 +48,8 @@ osg::Node::NodeMask maskOfCamera(const osgUtil::CullVisitor& view)
 } // namespace
 
 void CaptureVisitor::cull(osgUtil::CullVisitor& view, osgUtil::RenderStage& stage,
-                          osg::RefMatrix& projection, osg::Viewport& viewport)
+                          const osg::Matrixd& eyeFromViewEye, osg::RefMatrix& projection,
+                          osg::Viewport& viewport)
 {
     osgUtil::RenderStage& viewStage = *view.getCurrentRenderStage();
     osg::Camera& camera = *view.getCurrentCamera();
@@ -78,7 +79,7 @@ void CaptureVisitor::cull(osgUtil::CullVisitor& view, osgUtil::RenderStage& stag
     // A matrix object of its own: osg::State skips one that it has loaded last, but every stage
     // loads the identity behind its back, and the view's first light would be placed by that.
     const osg::ref_ptr<osg::RefMatrix> eyeFromWorld =
-        new osg::RefMatrix(*viewStage.getInitialViewMatrix());
+        new osg::RefMatrix(*viewStage.getInitialViewMatrix() * eyeFromViewEye);
     stage.setInitialViewMatrix(eyeFromWorld);
     stage.setColorMask(viewStage.getColorMask());
     stage.setClearColor(viewStage.getClearColor());
@@ -91,11 +92,12 @@ void CaptureVisitor::cull(osgUtil::CullVisitor& view, osgUtil::RenderStage& stag
     {
         stage.setInheritedPositionalStateContainer(inherited);
         stage.setInheritedPositionalStateContainerMatrix(
-            viewStage.getInheritedPositionalStateContainerMatrix());
+            viewStage.getInheritedPositionalStateContainerMatrix() * eyeFromViewEye);
     }
     else
     {
         stage.setInheritedPositionalStateContainer(viewStage.getPositionalStateContainer());
+        stage.setInheritedPositionalStateContainerMatrix(eyeFromViewEye);
     }
 
     // State from outside the captured scene. The water's own and that of the nodes between is
@@ -106,6 +108,7 @@ void CaptureVisitor::cull(osgUtil::CullVisitor& view, osgUtil::RenderStage& stag
         if (node->getStateSet()) stateSets.push_back(node->getStateSet());
     // Views and cameras keep their viewport in their StateSet too; the stage has another.
     _stageState->setAttribute(stage.getViewport());
+    tellShaders(*eyeFromWorld, !eyeFromViewEye.isIdentity());
     stateSets.push_back(_stageState.get());
     for (const osg::StateSet* stateSet : stateSets)
         pushStateSet(stateSet);
@@ -114,7 +117,8 @@ void CaptureVisitor::cull(osgUtil::CullVisitor& view, osgUtil::RenderStage& stag
 
     pushViewport(&viewport);
     pushProjectionMatrix(&projection);
-    pushModelViewMatrix(eyeFromWorld, osg::Transform::ABSOLUTE_RF);
+    pushReferenceViewPoint(view.getReferenceViewPoint() * eyeFromViewEye);
+    pushModelViewMatrix(eyeFromWorld, osg::Transform::RELATIVE_RF);
 
     if (osg::Callback* callback = camera.getCullCallback())
         callback->run(&camera, this);
@@ -122,6 +126,7 @@ void CaptureVisitor::cull(osgUtil::CullVisitor& view, osgUtil::RenderStage& stag
         traverse(camera);
 
     popModelViewMatrix();
+    popReferenceViewPoint();
     popProjectionMatrix();
     popViewport();
     for (std::size_t i = 0; i < cameraPath.size(); ++i)
@@ -140,6 +145,18 @@ void CaptureVisitor::meet(const WaterSurface& water,
                           const std::vector<osg::ref_ptr<StillWater>>& sheets)
 {
     _waters.push_back({&water, &sheets, fromOsg(*getModelViewMatrix())});
+}
+
+// The view hands its matrices to shaders of the scene, which are to know of another eye.
+void CaptureVisitor::tellShaders(const osg::Matrixd& eyeFromWorld, bool anotherEye)
+{
+    const auto tell = [&](const char* name, const osg::Matrixd& matrix)
+    {
+        _stageState->removeUniform(name);
+        if (anotherEye) _stageState->addUniform(new osg::Uniform(name, osg::Matrixf(matrix)));
+    };
+    tell("osg_ViewMatrix", eyeFromWorld);
+    tell("osg_ViewMatrixInverse", osg::Matrixd::inverse(eyeFromWorld));
 }
 
 // Cameras of the scene that render on their own have been, or will be, culled by the view: a

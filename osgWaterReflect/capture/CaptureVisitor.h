@@ -29,12 +29,15 @@ class CaptureVisitor : public osgUtil::CullVisitor
 public:
     META_NodeVisitor(osgWaterReflect, CaptureVisitor)
 
-    /// Culls what a view's camera draws into a stage, as the view does. The stage is yet to be
-    /// sorted.
-    ///   view        in the middle of its cull of that camera
-    ///   projection  clamped, like the view's later, to near and far of what is drawn
-    ///   viewport    that goes with it, in the view's pixels: decides levels of detail
-    void cull(osgUtil::CullVisitor& view, osgUtil::RenderStage& stage, osg::RefMatrix& projection,
+    /// Culls what a view's camera draws into a stage, as the view does: with its lights, and at the
+    /// level of detail that it sees, wherever the capture's own eye is. The stage is yet to be
+    /// finished.
+    ///   view            in the middle of its cull of that camera
+    ///   eyeFromViewEye  rigid, for row vectors
+    ///   projection      clamped, like the view's later, to near and far of what is drawn
+    ///   viewport        that goes with it, in the view's pixels: decides levels of detail
+    void cull(osgUtil::CullVisitor& view, osgUtil::RenderStage& stage,
+              const osg::Matrixd& eyeFromViewEye, osg::RefMatrix& projection,
               osg::Viewport& viewport);
 
     /// Readies what was culled for drawing.
@@ -48,6 +51,8 @@ public:
     void apply(osg::Camera& camera) override;
 
 private:
+    void tellShaders(const osg::Matrixd& eyeFromWorld, bool anotherEye);
+
     osg::ref_ptr<osgUtil::StateGraph> _captureStateGraph = new osgUtil::StateGraph;
     osg::ref_ptr<osg::StateSet> _stageState = new osg::StateSet;
     std::vector<MetWater> _waters;

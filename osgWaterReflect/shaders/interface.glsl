@@ -50,6 +50,12 @@ uniform sampler2D osgwr_pyramidLarge;
 #define pyramidMiddle osgwr_pyramidMiddle
 #define pyramidLarge osgwr_pyramidLarge
 
+// What straightens the depths of a capture that an oblique plane cuts off (capture/MirroredEye.h).
+uniform sampler2D osgwr_obliqueWindowZ;
+uniform vec4 osgwr_straightened;         // of (x, y [pixels], oblique windowZ, 1)
+#define obliqueWindowZ osgwr_obliqueWindowZ
+#define straightened osgwr_straightened
+
 // The view.
 uniform vec4 osgwr_eyePointEye;          // centre of projection, homogeneous: (0, 0, 0, 1) or (direction, 0)
 uniform mat3 osgwr_worldFromEye;         // rotation

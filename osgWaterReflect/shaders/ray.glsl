@@ -53,8 +53,9 @@ ImageRay projectRay(Capture capture, vec3 originEye, vec3 dirEye)
 {
     vec4 a = capture.clipFromEye * vec4(originEye, 1.0);
     vec4 b = capture.clipFromEye * vec4(dirEye, 0.0);
-    // The centres of the border pixels bound what can be read.
-    vec2 border = 1.0 - 1.0 / capture.size;
+    // The centres of the border pixels bound what can be read. A ray that may meet something in its
+    // own pixel needs room there for its rounding: half as much again.
+    vec2 border = 1.0 - (0.5 + 0.5 * capture.firstColumn) / capture.size;
 
     float tFirst = 0.0;
     float inverseLast = 0.0;

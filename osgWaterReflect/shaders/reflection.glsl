@@ -46,7 +46,8 @@ Sighting lookFor(Capture capture, vec3 originEye, vec3 dirEye)
 
 vec3 capturedColour(Capture capture, vec2 window)
 {
-    return finiteColour(textureLod(capture.colour, window / vec2(textureSize(capture.colour, 0)), 0.0).rgb);
+    vec2 uv = window / vec2(textureSize(capture.colour, 0));
+    return finiteColour(textureLod(capture.colour, uv, 0.0).rgb);
 }
 
 // Colour of a hit whose four pixels about it do not all show the same surface: mixed of those that
@@ -58,12 +59,13 @@ vec3 colourAmidEdges(Capture capture, ImageRay ray, TraceResult hit)
     vec4 sum = vec4(0.0);
     vec3 closest = vec3(0.0);
     float closestZ = 2.0;
-    int pixels = hit.reason != REASON_HIT || hit.smoothAbout ? 0 : 4;
+    int pixels = hit.smoothAbout ? 0 : 4; // rasterisers that run several pixels at once come here for all
     for (int i = 0; i < pixels; ++i)
     {
         vec2 corner = vec2(i & 1, i >> 1);
         vec2 pixel = clamp(floor(hit.window.xy - 0.5) + corner, vec2(0.0), capture.size - 1.0);
-        float apart = abs(capturedWindowZ(capture, pixel) - hit.window.z);
+        float pixelZ = capturedWindowZ(capture, pixel);
+        float apart = pixelZ < 1.0 ? abs(pixelZ - hit.window.z) : 1.0;
         vec3 colour = finiteColour(texelFetch(capture.colour, ivec2(pixel), 0).rgb);
         vec2 weights = mix(1.0 - fraction, fraction, corner);
         if (apart <= thick) sum += weights.x * weights.y * vec4(colour, 1.0);
@@ -74,6 +76,12 @@ vec3 colourAmidEdges(Capture capture, ImageRay ray, TraceResult hit)
         }
     }
     return sum.a > 0.0 ? sum.rgb / sum.a : closest;
+}
+
+vec3 hitColour(Capture capture, Sighting hit)
+{
+    return hit.result.smoothAbout ? capturedColour(capture, hit.result.window.xy)
+                                  : colourAmidEdges(capture, hit.ray, hit.result);
 }
 
 // Share of a surface at the image's border in what is shown of a ray that has left the image there:
@@ -94,6 +102,13 @@ bool leftImage(int reason)
     return reason >= REASON_LEFT && reason <= REASON_TOP;
 }
 
+// Whether the image may hide what a ray meets, or not hold it: behind what hid a ray that came out
+// to the sky, too, something may stand.
+bool isLost(TraceResult result)
+{
+    return result.reason != REASON_HIT && (result.reason != REASON_SKY || result.hidden > 0.0);
+}
+
 Reflection traceReflection(vec3 originEye, vec3 dirEye)
 {
     Sighting sighting = lookFor(eyeCapture, originEye, dirEye);
@@ -110,14 +125,29 @@ Reflection traceReflection(vec3 originEye, vec3 dirEye)
                 : leftImage(result.reason) ? borderShare(eyeCapture, ray)
                 : 0.0;
     vec2 shown = hit || hiddenClosely ? result.window.xy : ray.end.xy;
-    vec3 colour = hit && !result.smoothAbout
-        ? colourAmidEdges(eyeCapture, ray, result)
-        : capturedColour(eyeCapture, hit ? shown : floor(shown) + 0.5);
+    vec3 colour = hit ? hitColour(eyeCapture, sighting)
+                      : capturedColour(eyeCapture, floor(shown) + 0.5);
 
     Reflection reflection;
     reflection.colour = mix(skyColour(eyeCapture, ray, dirEye), colour, share);
     reflection.reason = result.reason;
     reflection.window = hit || hiddenClosely ? shown : vec2(-1.0);
     reflection.mirrored = false;
+
+#if OSGWR_IMAGES == IMAGES_TWO
+    if (isLost(result))
+    {
+        Sighting mirrored = lookFor(mirrorCapture, originEye, dirEye);
+        if (mirrored.result.reason == REASON_HIT)
+        {
+            reflection.colour = hitColour(mirrorCapture, mirrored);
+            reflection.reason = REASON_HIT;
+            reflection.window = mirrored.result.window.xy;
+            reflection.mirrored = true;
+        }
+    }
+#elif OSGWR_IMAGES != IMAGES_ONE
+#error OSGWR_IMAGES is not one of IMAGES_
+#endif
     return reflection;
 }

@@ -32,6 +32,9 @@ Columns columnsOf(Capture capture, ImageRay ray, float pixelsPerStep)
     // A ray that starts at the water, and leaves its pixel.
     bool startsAtWater = ray.tOverDepth.x == 0.0;
     if (startsAtWater && toCentre < 0.5 && length > 1.0) toCentre += capture.firstColumn;
+    // Where it may meet something in its pixel, and on calm water lies in that pixel as a whole,
+    // the start itself stands for the first column.
+    if (capture.firstColumn == 0.0) toCentre -= 1.0;
     Columns columns;
     columns.first = toCentre / length;
     columns.step = pixelsPerStep / length;
@@ -39,10 +42,10 @@ Columns columnsOf(Capture capture, ImageRay ray, float pixelsPerStep)
     return columns;
 }
 
-// s of a column, from 0.
+// s of a column, in [0, 1].
 float columnAt(Columns columns, int i)
 {
-    return min(columns.first + float(i) * columns.step, 1.0);
+    return clamp(columns.first + float(i) * columns.step, 0.0, 1.0);
 }
 
 #if OSGWR_OUTPUT == OUTPUT_HIT
@@ -252,8 +255,10 @@ TraceResult hitOf(Capture capture, ImageRay ray, Columns columns, Trail trail)
         at.behind = window.z - here.windowZ;
         before.behind = windowBefore.z - there.windowZ;
         firstShare = 2.0;
+        // Nothing is known of the next column but from a step away.
         result.smoothAbout = here.continuous && there.continuous &&
                              here.firstPixel == there.firstPixel &&
+                             distance(window.xy, windowBefore.xy) > 0.99 &&
                              abs(here.windowZ - there.windowZ) <= thick;
     }
     result.s = crossing(at.s, at.s - before.s, before.behind, at.behind, firstShare);

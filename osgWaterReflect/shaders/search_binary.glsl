@@ -12,6 +12,14 @@ TraceResult searchImage(Capture capture, ImageRay ray)
     float behind = -1.0;  // the same at sBehind
     float surfaceFront = 0.0;
     float surfaceBehind = 1.0;
+    // In its own pixel, which on calm water may hold all of it, a ray is looked at by its two ends.
+    if (capture.firstColumn == 0.0)
+    {
+        surfaceFront = capturedWindowZ(capture, ray.start.xy);
+        before = ray.start.z - surfaceFront;
+        surfaceBehind = capturedWindowZ(capture, ray.end.xy);
+        behind = ray.end.z - surfaceBehind;
+    }
     for (float width = columns; width > 0.5; width *= 0.5)
     {
         float s = 0.5 * (sFront + sBehind);

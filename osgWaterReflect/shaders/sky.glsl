@@ -15,13 +15,15 @@ vec3 skyColour(Capture capture, ImageRay ray, vec3 dirEye)
 }
 #elif OSGWR_SKY == SKY_CAPTURED
 // The sky that the scene itself draws (a dome without depth, or the clear colour), at the place
-// where the ray is last seen; where something stands there, the nearest sky above it.
+// where the ray is last seen; where something stands there, the nearest sky above it. The mirrored
+// eye sees the world upside down.
 vec3 skyColour(Capture capture, ImageRay ray, vec3 dirEye)
 {
     ivec2 pixel = ivec2(ray.skyWindow);
-    int top = int(capture.size.y) - 1;
-    while (pixel.y < top && texelFetch(capture.windowZ, pixel, 0).r < 1.0)
-        ++pixel.y;
+    int up = capture.firstColumn == 0.0 ? -1 : 1;
+    int last = up > 0 ? int(capture.size.y) - 1 : 0;
+    while (pixel.y != last && texelFetch(capture.windowZ, pixel, 0).r < 1.0)
+        pixel.y += up;
     bool background = texelFetch(capture.windowZ, pixel, 0).r >= 1.0;
     return background ? finiteColour(texelFetch(capture.colour, pixel, 0).rgb) : clearColour;
 }

@@ -34,6 +34,9 @@ constexpr const char* PYRAMID_SOURCE_SIZE = "osgwr_pyramidSourceSize";
 constexpr const char* PYRAMID_MIDDLE = "osgwr_pyramidMiddle";
 constexpr const char* PYRAMID_LARGE = "osgwr_pyramidLarge";
 
+constexpr const char* OBLIQUE_WINDOW_Z = "osgwr_obliqueWindowZ";
+constexpr const char* STRAIGHTENED = "osgwr_straightened";
+
 constexpr const char* EYE_POINT_EYE = "osgwr_eyePointEye";
 constexpr const char* WORLD_FROM_EYE = "osgwr_worldFromEye";
 

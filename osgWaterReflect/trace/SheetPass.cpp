@@ -1,9 +1,8 @@
 #include "SheetPass.h"
 
 #include "../Transforms.h"
-#include "../surface/EyeSide.h"
+#include "../surface/EyeHeight.h"
 #include "Bindings.h"
-#include "WaterProgram.h"
 
 #include <osg/Depth>
 
@@ -68,18 +67,15 @@ void SheetPass::setSearched(const Searched& searched, const std::string& name, u
                   osg::Vec2(depthScale.perspective, depthScale.orthographic));
     bindings::set(*_stateSet, name + bindings::PIXEL_EXTENT,
                   static_cast<float>(capture.pixelExtent()));
-    bindings::set(*_stateSet, name + bindings::FIRST_COLUMN, 1.0f);
-
-    const osg::Vec4& clear = capture.clearColour();
-    bindings::set(*_stateSet, bindings::CLEAR_COLOUR, osg::Vec3(clear.r(), clear.g(), clear.b()));
+    bindings::set(*_stateSet, name + bindings::FIRST_COLUMN, capture.isMirrored() ? 0.0f : 1.0f);
 }
 
-void SheetPass::setWater(const WaterSurface& water)
+void SheetPass::setWater(const WaterSurface& water, Images images)
 {
     _stateSet->setAttributeAndModes(waterProgram(water.getWaves()), ON);
 
     osg::TextureCubeMap* sky = const_cast<osg::TextureCubeMap*>(water.getSky());
-    setVariant(*_stateSet, water.getReflection().search, Images::ONE,
+    setVariant(*_stateSet, water.getReflection().search, images,
                sky ? SkySource::CUBE_MAP : SkySource::CAPTURED, water.getDebugView());
     if (sky)
         _stateSet->setTextureAttribute(bindings::UNIT_SKY, sky, ON);
@@ -111,6 +107,8 @@ void SheetPass::setView(const SheetView& view, const glm::dmat4& eyeFromWorld,
                         const glm::dvec2& anchor, const WaveModel* waves, double time)
 {
     const glm::dvec4 eyePointEye = eyePointOf(view.clipFromEye);
+    const double height = heightOfEye(view.eyeFromSurface, view.clipFromEye, waves, time);
+
     bindings::set(*_stateSet, bindings::EYE_POINT_EYE,
                   osg::Vec4(eyePointEye.x, eyePointEye.y, eyePointEye.z, eyePointEye.w));
     bindings::set(*_stateSet, bindings::WORLD_FROM_EYE,
@@ -119,11 +117,10 @@ void SheetPass::setView(const SheetView& view, const glm::dmat4& eyeFromWorld,
                   toOsgFloat(normalMatrix(view.eyeFromSurface)));
     bindings::set(*_stateSet, bindings::SURFACE_FROM_EYE,
                   toOsgFloat(glm::inverse(eyeFromAnchor(view, anchor))));
-    bindings::set(*_stateSet, bindings::SIDE,
-                  static_cast<float>(sideOfEye(view.eyeFromSurface, view.clipFromEye, waves, time)));
+    bindings::set(*_stateSet, bindings::SIDE, height < 0.0 ? -1.0f : 1.0f);
 }
 
-void SheetPass::draw(osgUtil::CullVisitor& view, const Searched& searched,
+void SheetPass::draw(osgUtil::CullVisitor& view, const std::vector<Searched>& searched,
                      const WaterSurface& water, const StillWater& sheet)
 {
     const WaveModel* waves = water.getWaves();
@@ -139,8 +136,16 @@ void SheetPass::draw(osgUtil::CullVisitor& view, const Searched& searched,
     sheetView.shortestEdge = waves ? waves->getShortestLength() / EDGES_PER_WAVE : 0.0;
 
     const Mesh mesh = prepareMesh(water, sheet, sheetView, time);
-    setSearched(searched, bindings::EYE_CAPTURE, bindings::UNIT_EYE_CAPTURE);
-    setWater(water);
+    const Images images = searched.size() == 2 ? Images::TWO : Images::ONE;
+    setSearched(searched[0], bindings::EYE_CAPTURE, bindings::UNIT_EYE_CAPTURE);
+    if (images == Images::TWO)
+        setSearched(searched[1], bindings::MIRROR_CAPTURE, bindings::UNIT_MIRROR_CAPTURE);
+    else
+        for (unsigned int unit = bindings::UNIT_MIRROR_CAPTURE; unit < bindings::UNIT_SKY; ++unit)
+            _stateSet->removeTextureAttribute(unit, osg::StateAttribute::TEXTURE);
+    const osg::Vec4& clear = searched[0].capture.clearColour();
+    bindings::set(*_stateSet, bindings::CLEAR_COLOUR, osg::Vec3(clear.r(), clear.g(), clear.b()));
+    setWater(water, images);
     setView(sheetView, fromOsg(*view.getCurrentRenderStage()->getInitialViewMatrix()), mesh.anchor,
             waves, time);
 

@@ -4,10 +4,14 @@
 #include "../capture/Capture.h"
 #include "../pyramid/Pyramid.h"
 #include "../surface/WaveMesh.h"
+#include "WaterProgram.h"
 
 #include <osgWaterReflect/WaterSurface>
 
 #include <osg/StateSet>
+
+#include <string>
+#include <vector>
 
 namespace osgWaterReflect
 {
@@ -30,8 +34,9 @@ public:
 
     /// Adds the sheet to the view, drawn after what is opaque and before what is transparent.
     /// The view is at the water node in its traversal.
-    void draw(osgUtil::CullVisitor& view, const Searched& searched, const WaterSurface& water,
-              const StillWater& sheet);
+    ///   searched  in this order; one or two
+    void draw(osgUtil::CullVisitor& view, const std::vector<Searched>& searched,
+              const WaterSurface& water, const StillWater& sheet);
 
     void releaseGLObjects(osg::State* state) const;
     void resizeGLObjectBuffers(unsigned int maxSize);
@@ -52,7 +57,7 @@ private:
     ///   name  of its uniforms
     ///   unit  of the first of its textures
     void setSearched(const Searched& searched, const std::string& name, unsigned int unit);
-    void setWater(const WaterSurface& water);
+    void setWater(const WaterSurface& water, Images images);
     void setView(const SheetView& view, const glm::dmat4& eyeFromWorld, const glm::dvec2& anchor,
                  const WaveModel* waves, double time);
 

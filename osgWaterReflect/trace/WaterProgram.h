@@ -23,7 +23,7 @@ enum class SkySource
 enum class Images
 {
     ONE = 1,
-    TWO ///< the eye's, and then the mirrored eye's
+    TWO ///< the eye's and, for what that hides or loses, the mirrored eye's
 };
 
 /// The program of all water whose waves have the same GLSL piece; null stands for calm water. It

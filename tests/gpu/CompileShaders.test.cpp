@@ -11,6 +11,7 @@
 #include <mutex>
 #include <sstream>
 
+using osgWaterReflect::CaptureKind;
 using osgWaterReflect::CompileShaders;
 using osgWaterReflect::Search;
 using osgWaterReflect::TrochoidalWaves;
@@ -71,19 +72,22 @@ void drawEveryVariant(OffscreenView& view)
     for (bool wavy : {false, true})
         for (bool sky : {false, true})
             for (Search search : {Search::SEQUENTIAL, Search::BINARY, Search::HIERARCHICAL})
-                for (auto debugView :
-                     {WaterSurface::DebugView::NONE, WaterSurface::DebugView::REASON,
-                      WaterSurface::DebugView::REFLECTION})
-                {
-                    lake->setWaves(wavy ? new TrochoidalWaves : nullptr);
-                    lake->setSky(sky ? createSky().get() : nullptr);
-                    auto settings = lake->getReflection();
-                    settings.search = search;
-                    REQUIRE(lake->setReflection(settings));
-                    lake->setDebugView(debugView);
-                    view.render(root);
-                    view.render(root);
-                }
+                for (auto capture :
+                     {CaptureKind::VIEW, CaptureKind::MIRROR, CaptureKind::VIEW_AND_MIRROR})
+                    for (auto debugView :
+                         {WaterSurface::DebugView::NONE, WaterSurface::DebugView::REASON,
+                          WaterSurface::DebugView::REFLECTION})
+                    {
+                        lake->setWaves(wavy ? new TrochoidalWaves : nullptr);
+                        lake->setSky(sky ? createSky().get() : nullptr);
+                        auto settings = lake->getReflection();
+                        settings.search = search;
+                        settings.capture = capture;
+                        REQUIRE(lake->setReflection(settings));
+                        lake->setDebugView(debugView);
+                        view.render(root);
+                        view.render(root);
+                    }
 }
 
 } // namespace
@@ -97,9 +101,11 @@ TEST_CASE("after CompileShaders no variant of the water is compiled at its first
     {
         const ListenToLinks links;
         view.viewer().realize();
-        CHECK(links.count() == 39); // 2 waves, 2 skies, 3 searches, 3 outputs; 3 of the pyramid
+        // 2 waves, 2 skies, 3 searches, 1 or 2 captures, 3 outputs; 3 of the pyramid, 1 of a
+        // mirrored capture
+        CHECK(links.count() == 76);
     }
-    CHECK(compile->getNumCompiled() == 36);
+    CHECK(compile->getNumCompiled() == 72);
     CHECK(compile->getNumFailed() == 0);
     {
         const ListenToLinks links;
@@ -115,7 +121,7 @@ TEST_CASE("without CompileShaders each variant is compiled at its first draw, an
     {
         const ListenToLinks links;
         drawEveryVariant(view);
-        CHECK(links.count() == 39);
+        CHECK(links.count() == 76);
     }
 }
 

@@ -43,13 +43,16 @@ void collect(const CapturedImages& to, osg::State& state, const osgUtil::RenderS
         const osg::Camera* camera = before.getCamera();
         to.stages += 1 + before.getPostRenderList().size();
         collect(to, state, before);
-        if (!camera || camera->getName() != Capture::CAMERA_NAME) continue;
+        if (!camera) continue;
+        const bool mirrored = camera->getName() == Capture::MIRROR_CAMERA_NAME;
+        if (!mirrored && camera->getName() != Capture::CAMERA_NAME) continue;
 
         osg::Texture2D* colour = attached(*camera, osg::Camera::COLOR_BUFFER0);
         osg::Texture2D* windowZ = attached(*camera, osg::Camera::DEPTH_BUFFER);
         const bool bytes = colour->getInternalFormat() == GL_RGBA8;
         CapturedImage image;
         image.of = stage.getCamera();
+        image.mirrored = mirrored;
         image.clipFromEye = camera->getProjectionMatrix();
         image.colourFormat = colour->getInternalFormat();
         image.colour = read(state, *colour, GL_RGBA, bytes ? GL_UNSIGNED_BYTE : GL_FLOAT,
@@ -58,6 +61,11 @@ void collect(const CapturedImages& to, osg::State& state, const osgUtil::RenderS
         to.images.push_back(image);
         to.textures.push_back(colour);
         to.textures.push_back(windowZ);
+        for (const auto& after : before.getPostRenderList())
+            if (after.second->getCamera()->getName() ==
+                std::string("osgWaterReflect ") + Capture::STRAIGHTEN)
+                to.textures.push_back(
+                    attached(*after.second->getCamera(), osg::Camera::COLOR_BUFFER0));
     }
 }
 

@@ -15,6 +15,7 @@ struct CapturedImage
     GLint colourFormat = 0;
     osg::Matrixd clipFromEye;        ///< that it was taken with, for row vectors
     const osg::Camera* of = nullptr; ///< the camera that it was captured for
+    bool mirrored = false;           ///< from its eye mirrored in water
 };
 
 /// A texture that a camera can render its windowZ to, 24 bits.

@@ -107,6 +107,10 @@ MirrorComparison compareWithMirror(osg::Group& scene, WaterSurface& water,
                                                       halfHeight, 0.1, 1000.0);
     }
 
+    const osg::Vec2d shift = view.offAxis * 2.0;
+    offscreen.camera().setProjectionMatrix(offscreen.camera().getProjectionMatrix() *
+                                           osg::Matrixd::translate(shift.x(), shift.y(), 0.0));
+
     positionCodes::paint(scene);
     const PlacePicture direct = picture(offscreen, scene);
 
@@ -139,6 +143,15 @@ MirrorComparison compareWithMirror(osg::Group& scene, WaterSurface& water,
             const osg::Vec4 tracedColour = pixel(*traced, x, y);
             const bool hit = (reason - HIT).length() < 1e-6;
             const osg::Vec4 trueColour = pixel(*mirrored.image, x, y);
+            bool same = hit == positionCodes::isPlace(trueColour);
+            if (hit && same)
+            {
+                const osg::Vec3d apart = mirrored.window(positionCodes::place(tracedColour)) -
+                                         mirrored.window(positionCodes::place(trueColour));
+                same = std::hypot(apart.x(), apart.y()) <= 1.5;
+            }
+            result.right += same;
+            result.wrongInside += !same && !mirrored.nearSilhouette(x, y);
             if (!positionCodes::isPlace(trueColour))
             {
                 ++result.sky;

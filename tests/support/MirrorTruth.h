@@ -14,12 +14,16 @@ struct MirrorView
     double fovyDegrees = 46.0;
     double rollDegrees = 0.0;
     double orthographicHeight = 0.0; ///< [world units] above 0: of an orthographic view
+    osg::Vec2d offAxis{};            ///< [sizes of the image] by which its middle is moved
 };
 
 /// How the water's pixels of one picture compare with the same scene drawn from the mirrored eye.
 struct MirrorComparison
 {
     int waterPixels = 0;
+    int right = 0;              ///< of them all: sky for sky, or within 1.5 px of the true place
+                                ///< as the mirrored eye sees it
+    int wrongInside = 0;        ///< of the others, those not within 2 px of its silhouettes
     int visible = 0;            ///< whose true reflection is seen in the captured image
     int visibleRight = 0;       ///< of these, traced within 1.5 px of the true place
     int visibleWrongInside = 0; ///< of the others, those not within 2 px of a silhouette

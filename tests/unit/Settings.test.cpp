@@ -73,6 +73,11 @@ TEST_CASE("reflection settings out of range are refused, by name, and the old on
         "ReflectionSettings::search", &ReflectionSettings::search,
         {static_cast<Search>(0), static_cast<Search>(4), static_cast<Search>(-1)},
         {Search::BINARY, Search::SEQUENTIAL, Search::HIERARCHICAL}, setReflection, getReflection);
+    checkMember<ReflectionSettings, CaptureKind>(
+        "ReflectionSettings::capture", &ReflectionSettings::capture,
+        {static_cast<CaptureKind>(0), static_cast<CaptureKind>(4), static_cast<CaptureKind>(-1)},
+        {CaptureKind::VIEW, CaptureKind::MIRROR, CaptureKind::VIEW_AND_MIRROR}, setReflection,
+        getReflection);
     checkMember<ReflectionSettings, double>(
         "ReflectionSettings::thickness", &ReflectionSettings::thickness,
         {0.0, -0.0, -0.5, NaN, INF, -INF}, {TINY, 0.001, 1e6}, setReflection, getReflection);
@@ -132,6 +137,7 @@ TEST_CASE("a copy of a water surface has every option of the original")
     osg::ref_ptr<WaterSurface> water = someWater();
     ReflectionSettings reflection;
     reflection.search = Search::BINARY;
+    reflection.capture = CaptureKind::MIRROR;
     reflection.thickness = 0.25;
     reflection.stride = 3;
     reflection.captureScale = 0.75;

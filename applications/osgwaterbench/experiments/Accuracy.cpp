@@ -10,6 +10,7 @@
 #include <iostream>
 
 using namespace osgwaterbench;
+using osgWaterReflect::CaptureKind;
 using osgWaterReflect::ReflectionSettings;
 using osgWaterReflect::Search;
 
@@ -35,6 +36,12 @@ public:
         settings.captureScale = scale;
         return libraryMethod(_name + ", capture scale " + fixed(scale, 2), settings);
     }
+    Method withCapture(const std::string& name, CaptureKind capture) const
+    {
+        ReflectionSettings settings = _settings;
+        settings.capture = capture;
+        return libraryMethod(_name + ", " + name, settings);
+    }
     Method withStride(int stride) const
     {
         ReflectionSettings settings = _settings;
@@ -52,12 +59,22 @@ std::vector<Method> methods(bool quick)
     const Settings hierarchical("hierarchical", Search::HIERARCHICAL);
     const Settings sequential("sequential", Search::SEQUENTIAL);
     const Settings binary("binary", Search::BINARY);
+    const Method mirror = hierarchical.withCapture("mirror", CaptureKind::MIRROR);
+    const Method both = hierarchical.withCapture("both", CaptureKind::VIEW_AND_MIRROR);
     if (quick)
-        return {hierarchical.method(), hierarchical.withCaptureScale(0.5),
-                sequential.method(),   sequential.withStride(4),
-                binary.method(),       paperMethod(),
-                paperBinaryMethod(),   baselineMethod()};
+        return {hierarchical.method(),
+                mirror,
+                both,
+                hierarchical.withCaptureScale(0.5),
+                sequential.method(),
+                sequential.withStride(4),
+                binary.method(),
+                paperMethod(),
+                paperBinaryMethod(),
+                baselineMethod()};
     return {hierarchical.method(),
+            mirror,
+            both,
             hierarchical.withThickness(0.1),
             hierarchical.withThickness(2.0),
             hierarchical.withCaptureScale(0.5),

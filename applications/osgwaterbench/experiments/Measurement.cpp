@@ -50,7 +50,9 @@ Accuracy Measurement::measure(const Method& method)
     const Answers answers = readAnswers(_view);
     Accuracy accuracy;
     accuracy.measures = placesOf(answers);
-    if (method.usesCapture) accuracy.search = compareSearch(_drawn, _imageTruth, answers);
+    const bool searchesView =
+        method.usesCapture && method.settings.capture == osgWaterReflect::CaptureKind::VIEW;
+    if (searchesView) accuracy.search = compareSearch(_drawn, _imageTruth, answers);
     accuracy.picture =
         comparePictures(picture(method), _truePicture, _drawn.isWater).value_or(PictureError());
     return accuracy;

@@ -18,7 +18,7 @@ namespace osgwaterbench
 struct Accuracy
 {
     Measures measures;
-    std::optional<SearchError> search; ///< none of a method that searches no capture
+    std::optional<SearchError> search; ///< none of a method that searches other images
     PictureError picture;
 };
 

@@ -1,5 +1,7 @@
 #include "Rows.h"
 
+#include <map>
+
 using namespace osgwaterbench;
 
 namespace
@@ -7,6 +9,11 @@ namespace
 
 const char* const CLASS_NAMES[TRUE_CLASS_COUNT] = {"sky", "visible", "hidden", "outside_top",
                                                    "outside_sides"};
+
+const std::map<osgWaterReflect::CaptureKind, const char*> CAPTURE_NAMES = {
+    {osgWaterReflect::CaptureKind::VIEW, "view"},
+    {osgWaterReflect::CaptureKind::MIRROR, "mirror"},
+    {osgWaterReflect::CaptureKind::VIEW_AND_MIRROR, "view and mirror"}};
 
 Json orNull(const std::optional<double>& value)
 {
@@ -92,6 +99,7 @@ Json osgwaterbench::toJson(const Method& method)
     Json json = {{"method", method.name},
                  {"stride", method.settings.stride},
                  {"thickness", method.settings.thickness},
+                 {"capture", CAPTURE_NAMES.at(method.settings.capture)},
                  {"capture_scale", method.settings.captureScale}};
     if (method.mirror) json["distortion"] = method.mirror->distortion;
     return json;

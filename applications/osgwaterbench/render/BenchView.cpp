@@ -49,15 +49,18 @@ osg::ref_ptr<osg::Image> readWindowZ(osg::State& state, const osg::Texture2D& te
     return used;
 }
 
-// The camera of the capture among the stages that are rendered before a view.
-osg::Camera* captureCameraIn(osgUtil::RenderStage& stage)
+// The cameras of the captures among the stages that are rendered before a view: the eye's, then the
+// mirrored eye's.
+std::vector<osg::Camera*> captureCamerasIn(osgUtil::RenderStage& stage)
 {
-    for (const auto& before : stage.getPreRenderList())
-    {
-        osg::Camera* const camera = before.second->getCamera();
-        if (camera && camera->getName() == Capture::CAMERA_NAME) return camera;
-    }
-    return nullptr;
+    std::vector<osg::Camera*> cameras;
+    for (const char* name : {Capture::CAMERA_NAME, Capture::MIRROR_CAMERA_NAME})
+        for (const auto& before : stage.getPreRenderList())
+        {
+            osg::Camera* const camera = before.second->getCamera();
+            if (camera && camera->getName() == name) cameras.push_back(camera);
+        }
+    return cameras;
 }
 
 } // namespace
@@ -147,25 +150,29 @@ const osg::Image& BenchView::render(WaterSurface::DebugView debugView)
     return *_picture;
 }
 
-osg::Camera* BenchView::findCaptureCamera()
+std::vector<osg::Camera*> BenchView::captureCameras()
 {
     auto& renderer = dynamic_cast<osgViewer::Renderer&>(*_viewer.getCamera()->getRenderer());
     for (unsigned int i = 0; i < 2; ++i)
-        if (osg::Camera* const camera =
-                captureCameraIn(*renderer.getSceneView(i)->getRenderStage()))
-            return camera;
-    return nullptr;
+    {
+        const auto cameras = captureCamerasIn(*renderer.getSceneView(i)->getRenderStage());
+        if (!cameras.empty()) return cameras;
+    }
+    return {};
 }
 
-SearchedImage BenchView::searchedImage()
+std::vector<SearchedImage> BenchView::searchedImages()
 {
-    osg::Camera* const searched = _method.mirror ? _bed.mirror.get() : findCaptureCamera();
-    const osg::Texture2D* const windowZ = searched ? windowZTexture(*searched) : nullptr;
-    if (!windowZ) throw std::runtime_error("expected a capture in the frame, got none");
     osg::GraphicsContext& context = *_viewer.getCamera()->getGraphicsContext();
     context.makeCurrent();
-    return {readWindowZ(*context.getState(), *windowZ, *searched->getViewport()),
-            searched->getViewMatrix(), searched->getProjectionMatrix()};
+    std::vector<SearchedImage> images;
+    for (osg::Camera* camera :
+         _method.mirror ? std::vector<osg::Camera*>{_bed.mirror.get()} : captureCameras())
+        if (const osg::Texture2D* const windowZ = windowZTexture(*camera))
+            images.push_back({readWindowZ(*context.getState(), *windowZ, *camera->getViewport()),
+                              camera->getViewMatrix(), camera->getProjectionMatrix()});
+    if (images.empty()) throw std::runtime_error("expected a capture in the frame, got none");
+    return images;
 }
 
 void BenchView::watchImages()

@@ -54,8 +54,9 @@ public:
     /// Renders a frame and returns it; the image stays valid until the next. MEASURE only.
     const osg::Image& render(osgWaterReflect::WaterSurface::DebugView debugView);
 
-    /// What the last frame's reflections were looked up in: the capture, or the mirrored image.
-    SearchedImage searchedImage();
+    /// What the last frame's reflections were looked up in: the captures in the order that they are
+    /// searched in, or the rival's mirrored image.
+    std::vector<SearchedImage> searchedImages();
 
     /// Renders a frame and says where its time went. TIME only.
     FrameTime time();
@@ -65,7 +66,7 @@ public:
 
 private:
     void frame();
-    osg::Camera* findCaptureCamera();
+    std::vector<osg::Camera*> captureCameras();
     void watchImages();
 
     glm::ivec2 _size;

@@ -14,6 +14,9 @@ namespace
 // What DebugView::POINT and NORMAL put into alpha; no scene's colour has it.
 const float WATER_ALPHA = -1.0f;
 
+// What DebugView::HIT adds to the reason where the second capture shows the colour.
+const float SECOND_CAPTURE = 16.0f;
+
 const float* floatsOf(const osg::Image& image, std::size_t pixel)
 {
     return reinterpret_cast<const float*>(image.data()) + 4 * pixel;
@@ -80,7 +83,7 @@ DrawnWater osgwaterbench::readDrawnWater(BenchView& view)
     const glm::dvec2 size(view.size());
     drawn.eyeFromWorld = fromOsg(view.camera().getViewMatrix());
     drawn.view = {fromOsg(view.camera().getProjectionMatrix()), size};
-    const SearchedImage capture = view.searchedImage();
+    const SearchedImage capture = view.searchedImages().front();
     drawn.capture.geometry = {fromOsg(capture.clipFromEye), size};
     const auto* windowZ = reinterpret_cast<const float*>(capture.windowZ->data());
     drawn.capture.windowZ.assign(windowZ, windowZ + count);
@@ -91,13 +94,14 @@ DrawnWater osgwaterbench::readDrawnWater(BenchView& view)
 Answers osgwaterbench::readAnswers(BenchView& view)
 {
     const osg::Image& hits = view.render(DebugView::HIT);
-    const SearchedImage image = view.searchedImage();
-    const SearchedPlaces places(image);
+    const std::vector<SearchedImage> images = view.searchedImages();
+    const std::vector<SearchedPlaces> places(images.begin(), images.end());
     Answers answers(static_cast<std::size_t>(view.size().x) * view.size().y);
     for (std::size_t i = 0; i < answers.size(); ++i)
     {
         const float* const hit = floatsOf(hits, i);
-        answers[i] = places.answer(glm::dvec2(hit[0], hit[1]), hit[3]);
+        const std::size_t capture = hit[2] >= SECOND_CAPTURE ? 1 : 0;
+        answers[i] = places.at(capture).answer(glm::dvec2(hit[0], hit[1]), hit[3]);
     }
     return answers;
 }
