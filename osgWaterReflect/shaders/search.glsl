@@ -85,26 +85,32 @@ float thicknessWindowZ(Capture capture, float inverseDepth)
     return max(given, pixelsWindowZ(capture, STEEPEST_SLOPE, inverseDepth)) + 1.2e-7;
 }
 
-// The surface at a place on a column's centre line: between the column's two nearest pixels.
-struct Between
+// How the surface goes on across the ray's columns, at a place on a column's centre line.
+struct Across
 {
-    float windowZ;
-    float firstPixel;     // the lower (left) of the two [pixels]
-    bool continuous;      // else it jumps there by more than its thickness: of the place's own pixel
+    float slope;          // [windowZ] from pixel to pixel; 0 where it jumps by more than its thickness
+    float firstPixel;     // the lower (left) of the two about the place [pixels]
+    bool continuous;      // it does not jump between them
 };
 
-//   ownZ  of the place's own pixel
-Between surfaceBetween(Capture capture, vec2 window, vec2 extent, float ownZ, float thick)
+float acrossOf(vec2 window, vec2 extent)
 {
-    vec2 across = abs(extent.x) >= abs(extent.y) ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
-    float fraction = fract(dot(window, across)) - 0.5;
-    vec2 beside = clamp(window + sign(fraction) * across, vec2(0.5), capture.size - 0.5);
-    float besideZ = capturedWindowZ(capture, beside);
-    Between between;
-    between.continuous = abs(besideZ - ownZ) <= thick;
-    between.windowZ = between.continuous ? mix(ownZ, besideZ, abs(fraction)) : ownZ;
-    between.firstPixel = floor(dot(window, across) - 0.5);
-    return between;
+    return abs(extent.x) >= abs(extent.y) ? window.y : window.x;
+}
+
+//   ownZ  of the place's own pixel
+Across surfaceAcross(Capture capture, vec2 window, vec2 extent, float ownZ, float thick)
+{
+    float place = acrossOf(window, extent);
+    float toBeside = fract(place) < 0.5 ? -1.0 : 1.0;
+    vec2 beside = abs(extent.x) >= abs(extent.y) ? vec2(0.0, toBeside) : vec2(toBeside, 0.0);
+    float besideZ =
+        capturedWindowZ(capture, clamp(window + beside, vec2(0.5), capture.size - 0.5));
+    Across across;
+    across.continuous = abs(besideZ - ownZ) <= thick;
+    across.slope = across.continuous ? (besideZ - ownZ) * toBeside : 0.0;
+    across.firstPixel = floor(place - 0.5);
+    return across;
 }
 
 // Where the ray meets a surface, straight through its depths behind it at two columns.
@@ -161,7 +167,7 @@ struct Trail
     float lookAheadZ;     // a surface counts as reached half a column before the ray does [windowZ]
     bool inFront;         // of what the last column showed
     Sample at;            // the last column
-    Sample before;        // of a hit: the column before
+    Sample before;        // the one that was looked at before
     Meeting meeting;
     float sHidden;        // where the ray last went behind something ...
     float hidden;         // ... and its depth behind that [windowZ]
@@ -177,8 +183,8 @@ Trail trailOf(ImageRay ray, Columns columns)
     Trail trail;
     trail.lookAheadZ = 0.5 * min(columns.step, 1.0) * abs(ray.end.z - ray.start.z);
     trail.inFront = true;
-    trail.at = Sample(0.0, 0.0);
-    trail.before = Sample(0.0, 0.0);
+    trail.at = Sample(-1.0, 0.0); // none yet
+    trail.before = trail.at;
     trail.meeting = Meeting(false, 0.0, 0.0);
     trail.sHidden = 0.0;
     trail.hidden = 0.0;
@@ -192,6 +198,7 @@ bool reaches(Capture capture, ImageRay ray, Columns columns, int i, inout Trail 
     float s = columnAt(columns, i);
     vec3 window = windowAt(ray, s);
     float surfaceZ = capturedWindowZ(capture, window.xy);
+    trail.before = trail.at;
     trail.at = Sample(s, window.z - surfaceZ);
     bool reached = trail.at.behind + trail.lookAheadZ >= 0.0 && surfaceZ < 1.0;
     bool first = reached && trail.inFront;
@@ -203,10 +210,11 @@ bool reaches(Capture capture, ImageRay ray, Columns columns, int i, inout Trail 
 void meet(Capture capture, ImageRay ray, Columns columns, int i, inout Trail trail)
 {
     // At the first column nothing is known of the surface before: no jump.
-    trail.before.s = i > 0 ? columnAt(columns, i - 1) : 0.0;
-    vec3 windowBefore = windowAt(ray, trail.before.s);
-    float previousZ = capturedWindowZ(capture, windowBefore.xy);
-    trail.before.behind = windowBefore.z - previousZ;
+    float sBefore = i > 0 ? columnAt(columns, i - 1) : 0.0;
+    vec3 windowBefore = windowAt(ray, sBefore);
+    if (trail.before.s != sBefore || i == 0)
+        trail.before = Sample(sBefore, windowBefore.z - capturedWindowZ(capture, windowBefore.xy));
+    float previousZ = windowBefore.z - trail.before.behind;
     float inverseDepth = mix(ray.inverseDepth.x, ray.inverseDepth.y, trail.at.s);
     trail.meeting = meetSurface(capture, ray.start.z + trail.at.s * (ray.end.z - ray.start.z) - trail.at.behind,
                                 i > 0 ? previousZ : 0.0, trail.at.behind,
@@ -228,17 +236,18 @@ TraceResult hitOf(Capture capture, ImageRay ray, Columns columns, Trail trail)
     bool continuous = trail.meeting.jump <= thick;
 
     // Reached by looking ahead: rather between this column and the next.
-    Sample next;
-    next.s = min(at.s + columns.step, 1.0);
-    vec3 window = windowAt(ray, next.s);
-    float ownZ = windowAt(ray, at.s).z - at.behind;
-    float nextZ = capturedWindowZ(capture, window.xy);
-    next.behind = window.z - nextZ;
-    if (at.behind < 0.0 && next.behind >= 0.0 && abs(nextZ - ownZ) <= thick)
+    if (at.behind < 0.0)
     {
-        before = at;
-        at = next;
-        continuous = true;
+        float sNext = min(at.s + columns.step, 1.0);
+        vec3 next = windowAt(ray, sNext);
+        float ownZ = windowAt(ray, at.s).z - at.behind;
+        float nextZ = capturedWindowZ(capture, next.xy);
+        if (next.z >= nextZ && abs(nextZ - ownZ) <= thick)
+        {
+            before = at;
+            at = Sample(sNext, next.z - nextZ);
+            continuous = true;
+        }
     }
 
     TraceResult result;
@@ -247,19 +256,17 @@ TraceResult hitOf(Capture capture, ImageRay ray, Columns columns, Trail trail)
     float firstShare = 0.5;
     if (continuous)
     {
-        window = windowAt(ray, at.s);
-        vec3 windowBefore = windowAt(ray, before.s);
-        Between here = surfaceBetween(capture, window.xy, extent, window.z - at.behind, thick);
-        Between there =
-            surfaceBetween(capture, windowBefore.xy, extent, windowBefore.z - before.behind, thick);
-        at.behind = window.z - here.windowZ;
-        before.behind = windowBefore.z - there.windowZ;
+        // Both columns' pixels are cut by the surface's own plane.
+        vec2 window = windowAt(ray, at.s).xy;
+        vec2 windowBefore = windowAt(ray, before.s).xy;
+        float ownZ = windowAt(ray, at.s).z - at.behind;
+        Across across = surfaceAcross(capture, window, extent, ownZ, thick);
+        at.behind -= across.slope * (fract(acrossOf(window, extent)) - 0.5);
+        before.behind -= across.slope * (fract(acrossOf(windowBefore, extent)) - 0.5);
         firstShare = 2.0;
         // Nothing is known of the next column but from a step away.
-        result.smoothAbout = here.continuous && there.continuous &&
-                             here.firstPixel == there.firstPixel &&
-                             distance(window.xy, windowBefore.xy) > 0.99 &&
-                             abs(here.windowZ - there.windowZ) <= thick;
+        result.smoothAbout = across.continuous && distance(window, windowBefore) > 0.99 &&
+                             across.firstPixel == floor(acrossOf(windowBefore, extent) - 0.5);
     }
     result.s = crossing(at.s, at.s - before.s, before.behind, at.behind, firstShare);
     result.window = windowAt(ray, result.s);

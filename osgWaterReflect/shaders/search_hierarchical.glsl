@@ -13,36 +13,47 @@ vec4 pyramidCell(Capture capture, vec2 window)
     return texelFetch(capture.cells, ivec2(window) / CELL, 0);
 }
 
-// How many columns, from one at a place on, lie within the cell about it.
-//   window     of the ray at the first column [pixels]
-//   perColumn  how the place moves from column to column [pixels], no component 0
-float columnsWithin(float side, vec2 window, vec2 perColumn)
+// How fast a ray crosses cells.
+struct Pace
 {
-    vec2 low = floor(window / side) * side;
-    vec2 border = low + side * vec2(greaterThan(perColumn, vec2(0.0)));
-    vec2 columns = (border - window) / perColumn;
-    // Rounded up, but not where a rounding error would take in one column more. A ray that stays in
-    // one pixel never leaves: no image has more columns than this.
-    return clamp(floor(min(columns.x, columns.y) + 0.999), 1.0, 65536.0);
+    vec2 ahead;           // 1 where it moves toward larger places, else 0
+    vec2 columnsPerPixel; // signed, finite
+    float columnsPerZ;    // [1 / windowZ] > 0; endless where the ray comes nearer
+};
+
+Pace paceOf(vec3 perColumn)
+{
+    // A ray that moves by less stays in its column or row, as far as any image reaches.
+    vec2 moved = mix(perColumn.xy, vec2(1e-6), lessThan(abs(perColumn.xy), vec2(1e-6)));
+    Pace pace;
+    pace.ahead = vec2(greaterThan(moved, vec2(0.0)));
+    pace.columnsPerPixel = 1.0 / moved;
+    pace.columnsPerZ = perColumn.z > 0.0 ? 1.0 / perColumn.z : 1e30;
+    return pace;
 }
 
-// How many of these columns the ray passes without reaching what is nearest in the cell.
-//   room        how far that is behind the ray at the first of them [windowZ]
-//   perColumnZ  by how much the ray's windowZ grows from column to column
-float columnsInFront(float columns, float nearest, float room, float perColumnZ)
+// How many columns, from one at a place on, lie within the cell about it.
+//   window  of the ray at the first column [pixels]
+float columnsWithin(float side, vec2 window, Pace pace)
 {
-    float inFront = room <= 0.0       ? 0.0
-                    : perColumnZ > 0.0 ? min(ceil(room / perColumnZ), columns)
-                                       : columns;
-    return nearest >= 1.0 ? columns : inFront;
+    vec2 border = (floor(window / side) + pace.ahead) * side;
+    vec2 columns = (border - window) * pace.columnsPerPixel;
+    // Rounded up, but not where a rounding error would take in one column more.
+    return max(floor(min(columns.x, columns.y) + 0.999), 1.0);
+}
+
+// How many columns of a cell the ray passes without reaching what is nearest in it.
+//   room  how far that is behind the ray at the first of them [windowZ]
+float columnsInFront(float side, vec2 window, float room, Pace pace)
+{
+    return clamp(ceil(room * pace.columnsPerZ), 0.0, columnsWithin(side, window, pace));
 }
 
 TraceResult searchImage(Capture capture, ImageRay ray)
 {
     Columns columns = columnsOf(capture, ray, 1.0);
-    vec3 perColumn = columns.step * (ray.end - ray.start);
-    // A ray that stays in its column or row never leaves a cell on that side.
-    vec2 way = mix(perColumn.xy, vec2(1e-9), lessThan(abs(perColumn.xy), vec2(1e-9)));
+    float perColumnZ = columns.step * (ray.end.z - ray.start.z);
+    Pace pace = paceOf(columns.step * (ray.end - ray.start));
 
     Trail trail = trailOf(ray, columns);
     int i = 0;
@@ -53,17 +64,16 @@ TraceResult searchImage(Capture capture, ImageRay ray)
         {
             vec3 window = windowAt(ray, columnAt(columns, i));
             vec4 cell = pyramidCell(capture, window.xy);
-            vec3 room = cell.xyz - window.z - trail.lookAheadZ;
-            float within = columnsWithin(CELL_SIDES.x, window.xy, way);
-            float free = max(
-                columnsInFront(within, cell.x, room.x, perColumn.z),
-                max(columnsInFront(columnsWithin(CELL_SIDES.y, window.xy, way), cell.y, room.y,
-                                   perColumn.z),
-                    columnsInFront(columnsWithin(CELL_SIDES.z, window.xy, way), cell.z, room.z,
-                                   perColumn.z)));
+            // Background is never reached.
+            vec3 room = mix(cell.xyz - window.z - trail.lookAheadZ, vec3(1.0),
+                            greaterThanEqual(cell.xyz, vec3(1.0)));
+            float within = columnsWithin(CELL_SIDES.x, window.xy, pace);
+            float free = max(clamp(ceil(room.x * pace.columnsPerZ), 0.0, within),
+                             max(columnsInFront(CELL_SIDES.y, window.xy, room.y, pace),
+                                 columnsInFront(CELL_SIDES.z, window.xy, room.z, pace)));
             trail.inFront = trail.inFront || free > 0.0;
 
-            float leastZ = window.z + min(within * perColumn.z, 0.0) + trail.lookAheadZ;
+            float leastZ = window.z + min(within * perColumnZ, 0.0) + trail.lookAheadZ;
             bool staysBehind = !trail.inFront && cell.a < 1.0 && leastZ >= cell.a;
             int last = min(i + int(within), columns.count);
             i += int(staysBehind ? within : free);
