@@ -12,6 +12,7 @@
 #include <iostream>
 
 using namespace osgwaterbench;
+using osgWaterReflect::CaptureKind;
 using osgWaterReflect::GuardBandKind;
 using osgWaterReflect::ReflectionSettings;
 using osgWaterReflect::Search;
@@ -24,15 +25,30 @@ const int QUICK_DIVISOR = 4; // of both sides
 
 std::vector<Method> methods()
 {
-    ReflectionSettings plain;
-    plain.guardBand = GuardBandKind::NONE;
+    const auto settings = [](CaptureKind capture, GuardBandKind guardBand)
+    {
+        ReflectionSettings settings;
+        settings.search = Search::HIERARCHICAL;
+        settings.capture = capture;
+        settings.guardBand = guardBand;
+        return settings;
+    };
+    const ReflectionSettings plain = settings(CaptureKind::VIEW, GuardBandKind::NONE);
     ReflectionSettings sequential = plain;
     sequential.search = Search::SEQUENTIAL;
-    ReflectionSettings fixed;
-    fixed.guardBand = GuardBandKind::FIXED;
-    return {baselineMethod(), libraryMethod("sequential", sequential),
-            libraryMethod("hierarchical", plain), libraryMethod("hierarchical, band 25 %", fixed),
-            libraryMethod("hierarchical, adaptive band", {})};
+    return {
+        baselineMethod(),
+        libraryMethod("sequential", sequential),
+        libraryMethod("hierarchical", plain),
+        libraryMethod("hierarchical, band 25 %", settings(CaptureKind::VIEW, GuardBandKind::FIXED)),
+        libraryMethod("hierarchical, adaptive band",
+                      settings(CaptureKind::VIEW, GuardBandKind::ADAPTIVE)),
+        libraryMethod("hierarchical, mirror", settings(CaptureKind::MIRROR, GuardBandKind::NONE)),
+        libraryMethod("hierarchical, both, band 25 %",
+                      settings(CaptureKind::VIEW_AND_MIRROR, GuardBandKind::FIXED)),
+        libraryMethod("hierarchical, both, adaptive band",
+                      settings(CaptureKind::VIEW_AND_MIRROR, GuardBandKind::ADAPTIVE)),
+    };
 }
 
 double searchTime(const CaseTime& time)
@@ -62,6 +78,7 @@ std::vector<std::string> printed(const Method& method, const Accuracy& accuracy,
             fixed(time.image.median, 1),
             fixed(time.pyramid.median, 1),
             fixed(time.trace.median, 1),
+            fixed(time.frame.median, 1),
             fixed(searchTime(time) / searchTime(baseline), 3)};
 }
 
@@ -99,7 +116,8 @@ bool osgwaterbench::runBorders(const ExperimentOptions& options)
                           << measurement.waterPixels() << " water pixels\n";
                 Table table({"method", "right %", "visible right %", "hidden right %",
                              "top right %", "sides right %", "sky false %", "median px", "fetches",
-                             "image ms", "pyramid ms", "trace ms", "pyramid + trace, baseline 1"});
+                             "image ms", "pyramid ms", "trace ms", "frame ms",
+                             "pyramid + trace, baseline 1"});
                 for (std::size_t i = 0; i < tried.size(); ++i)
                 {
                     Json row = {

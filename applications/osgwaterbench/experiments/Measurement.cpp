@@ -20,7 +20,6 @@ Measurement::Measurement(const BenchScene& scene, osgWaterReflect::WaveModel* wa
     _drawn = readDrawnWater(_view);
     const SkyLookup sky(*scene.water->getSky());
     _truth = findTruth(_drawn, {_tracer, sky, scene.water->getOptics()});
-    _imageTruth = findImageTruth(_drawn, own.settings.thickness);
     _truePicture = withTruth(picture(own), _truth);
     _eyeFromSurface = glm::translate(_drawn.eyeFromWorld, glm::dvec3(0.0, 0.0, scene.waterLevel));
 }
@@ -44,6 +43,17 @@ Measures Measurement::placesOf(const Answers& answers) const
                                   osgWaterReflect::ReflectionSettings().thickness);
 }
 
+const ImageTruth& Measurement::imageTruth()
+{
+    _drawn.capture = readCapture(_view);
+    const glm::ivec2 size(_drawn.capture.geometry.size);
+    const auto found = _imageTruths.try_emplace({size.x, size.y});
+    if (found.second)
+        found.first->second =
+            findImageTruth(_drawn, osgWaterReflect::ReflectionSettings().thickness);
+    return found.first->second;
+}
+
 Accuracy Measurement::measure(const Method& method)
 {
     _view.setMethod(method);
@@ -52,7 +62,7 @@ Accuracy Measurement::measure(const Method& method)
     accuracy.measures = placesOf(answers);
     const bool searchesView =
         method.usesCapture && method.settings.capture == osgWaterReflect::CaptureKind::VIEW;
-    if (searchesView) accuracy.search = compareSearch(_drawn, _imageTruth, answers);
+    if (searchesView) accuracy.search = compareSearch(_drawn, imageTruth(), answers);
     accuracy.picture =
         comparePictures(picture(method), _truePicture, _drawn.isWater).value_or(PictureError());
     return accuracy;

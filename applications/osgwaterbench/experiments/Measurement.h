@@ -9,7 +9,9 @@
 
 #include <glm/mat4x4.hpp>
 
+#include <map>
 #include <optional>
+#include <utility>
 
 namespace osgwaterbench
 {
@@ -46,12 +48,15 @@ public:
 private:
     Measures placesOf(const Answers& answers) const;
 
+    /// Of the view's capture in the last frame. What it shows depends on its size alone.
+    const ImageTruth& imageTruth();
+
     BenchView _view;
     osg::ref_ptr<osgWaterReflect::WaveModel> _waves;
     osgWaterReflect::reference::SceneTracer _tracer;
     DrawnWater _drawn;
     Truth _truth;
-    ImageTruth _imageTruth;
+    std::map<std::pair<int, int>, ImageTruth> _imageTruths; // by the size of the capture
     Picture _truePicture;
     glm::dmat4 _eyeFromSurface{1.0};
 };

@@ -83,12 +83,20 @@ DrawnWater osgwaterbench::readDrawnWater(BenchView& view)
     const glm::dvec2 size(view.size());
     drawn.eyeFromWorld = fromOsg(view.camera().getViewMatrix());
     drawn.view = {fromOsg(view.camera().getProjectionMatrix()), size};
-    const SearchedImage capture = view.searchedImages().front();
-    drawn.capture.geometry = {fromOsg(capture.clipFromEye), size};
-    const auto* windowZ = reinterpret_cast<const float*>(capture.windowZ->data());
-    drawn.capture.windowZ.assign(windowZ, windowZ + count);
+    drawn.capture = readCapture(view);
     drawn.stillNormalEye = glm::dvec3(drawn.eyeFromWorld * glm::dvec4(0.0, 0.0, 1.0, 0.0));
     return drawn;
+}
+
+osgWaterReflect::reference::CapturedImage osgwaterbench::readCapture(BenchView& view)
+{
+    const SearchedImage image = view.searchedImages().front();
+    const glm::ivec2 size(image.windowZ->s(), image.windowZ->t());
+    const auto* windowZ = reinterpret_cast<const float*>(image.windowZ->data());
+    osgWaterReflect::reference::CapturedImage capture;
+    capture.geometry = {fromOsg(image.clipFromEye), glm::dvec2(size)};
+    capture.windowZ.assign(windowZ, windowZ + static_cast<std::size_t>(size.x) * size.y);
+    return capture;
 }
 
 Answers osgwaterbench::readAnswers(BenchView& view)

@@ -11,6 +11,9 @@ namespace osgwaterbench
 /// method has to be one of the library's own, with a capture of the view's size.
 DrawnWater readDrawnWater(BenchView& view);
 
+/// The first image that the last frame was searched in.
+osgWaterReflect::reference::CapturedImage readCapture(BenchView& view);
+
 /// What the view's method answers at each pixel. One frame is rendered.
 Answers readAnswers(BenchView& view);
 

@@ -14,9 +14,9 @@ namespace osgwaterbench
 struct FrameTime
 {
     double image = 0.0;   ///< rendering the images that reflections are looked up in, and pyramids
-    double pyramid = 0.0; ///< of that, pyramids
     double trace = 0.0;   ///< drawing the water: its vertices, the search and the shading
     double frame = 0.0;   ///< everything, cull and draw, until the last pixel is done
+    double pyramid = 0.0; ///< the part of image that pyramids take
 };
 
 /// Takes the time at marks between the stages of a frame.
