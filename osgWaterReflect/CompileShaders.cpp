@@ -11,11 +11,15 @@
 
 using namespace osgWaterReflect;
 
-CompileShaders::CompileShaders() : osg::GraphicsOperation("CompileShaders", false)
+CompileShaders::CompileShaders(const std::vector<Search>& searches) :
+    osg::GraphicsOperation("CompileShaders", false), _searches(searches)
 {
     _waveModels = {nullptr, TrochoidalWaves::createBreeze(1.0, 0.1)};
     for (const osg::ref_ptr<WaveModel>& waves : _waveModels)
+    {
         _programs.push_back(waterProgram(waves.get()));
+        _programs.push_back(traceProgram(waves.get()));
+    }
     for (const osg::ref_ptr<osg::Program>& program : Pyramid::programs())
         _programs.push_back(program);
     _programs.push_back(ImagePass::program(Capture::STRAIGHTEN));
@@ -48,33 +52,48 @@ void CompileShaders::operator()(osg::GraphicsContext* context)
     view->init();
 
     osg::State& state = *context->getState();
+    const auto link =
+        [&](osg::Program* program, Search search, Images images, SkySource skySource, Trace trace)
+    {
+        const osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
+        stateSet->setAttributeAndModes(program);
+        setVariant(*stateSet, search, images, skySource, WaterSurface::DebugView::NONE, trace);
+        state.apply(stateSet);
+        const osg::Program::PerContextProgram* linked = state.getLastAppliedProgramObject();
+        ++(linked && linked->isLinked() ? _numCompiled : _numFailed);
+    };
+    const auto draw = [&](const ReflectionSettings& settings, const osg::ref_ptr<WaveModel>& waves,
+                          const osg::ref_ptr<osg::TextureCubeMap>& cubeMap)
+    {
+        water->setReflection(settings);
+        water->setWaves(waves);
+        water->setSky(cubeMap);
+        water->getBound();
+        view->cull();
+        view->draw();
+    };
     for (const osg::ref_ptr<WaveModel>& waves : _waveModels)
-        for (Search search : {Search::SEQUENTIAL, Search::BINARY, Search::HIERARCHICAL})
-            for (CaptureKind capture : {CaptureKind::VIEW, CaptureKind::VIEW_AND_MIRROR})
+        for (CaptureKind capture : {CaptureKind::VIEW, CaptureKind::VIEW_AND_MIRROR})
+        {
+            const Images images = capture == CaptureKind::VIEW ? Images::ONE : Images::TWO;
+            ReflectionSettings settings;
+            settings.capture = capture;
+            for (Search search : _searches)
+            {
+                settings.search = search;
+                link(traceProgram(waves.get()), search, images, SkySource::CAPTURED, Trace::HERE);
                 for (const osg::ref_ptr<osg::TextureCubeMap>& cubeMap : {noSky, sky})
-                    for (auto debugView :
-                         {WaterSurface::DebugView::NONE, WaterSurface::DebugView::REASON,
-                          WaterSurface::DebugView::REFLECTION})
-                    {
-                        const osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
-                        stateSet->setAttributeAndModes(waterProgram(waves.get()));
-                        setVariant(*stateSet, search,
-                                   capture == CaptureKind::VIEW ? Images::ONE : Images::TWO,
-                                   cubeMap ? SkySource::CUBE_MAP : SkySource::CAPTURED, debugView);
-                        state.apply(stateSet);
-                        const osg::Program::PerContextProgram* linked =
-                            state.getLastAppliedProgramObject();
-                        ++(linked && linked->isLinked() ? _numCompiled : _numFailed);
-
-                        ReflectionSettings settings;
-                        settings.search = search;
-                        settings.capture = capture;
-                        water->setReflection(settings);
-                        water->setWaves(waves);
-                        water->setSky(cubeMap);
-                        water->setDebugView(debugView);
-                        water->getBound();
-                        view->cull();
-                        view->draw();
-                    }
+                {
+                    const SkySource skySource = cubeMap ? SkySource::CUBE_MAP : SkySource::CAPTURED;
+                    link(waterProgram(waves.get()), search, images, skySource, Trace::HERE);
+                    settings.traceScale = 1.0;
+                    draw(settings, waves, cubeMap);
+                    // What samples the small image is the same for all searches.
+                    if (search == _searches.front())
+                        link(waterProgram(waves.get()), search, images, skySource, Trace::SAMPLED);
+                    settings.traceScale = 0.5;
+                    draw(settings, waves, cubeMap);
+                }
+            }
+        }
 }

@@ -16,6 +16,8 @@ bool ReflectionSettings::check() const
     if (!expectRange("ReflectionSettings::stride", stride, 1, 64)) return false;
     if (!(captureScale > 0.0 && captureScale <= 1.0))
         return refuse("ReflectionSettings::captureScale", "a value in (0, 1]", captureScale);
+    if (!(traceScale > 0.0 && traceScale <= 1.0))
+        return refuse("ReflectionSettings::traceScale", "a value in (0, 1]", traceScale);
     if (guardBand != GuardBandKind::NONE && guardBand != GuardBandKind::ADAPTIVE &&
         guardBand != GuardBandKind::FIXED)
         return refuse("ReflectionSettings::guardBand", "a member of GuardBandKind",
@@ -27,6 +29,7 @@ bool ReflectionSettings::check() const
 bool ReflectionSettings::operator==(const ReflectionSettings& rhs) const
 {
     return search == rhs.search && capture == rhs.capture && thickness == rhs.thickness &&
-           stride == rhs.stride && captureScale == rhs.captureScale && guardBand == rhs.guardBand &&
+           stride == rhs.stride && captureScale == rhs.captureScale &&
+           traceScale == rhs.traceScale && guardBand == rhs.guardBand &&
            maxExtraPixels == rhs.maxExtraPixels && guardBandShare == rhs.guardBandShare;
 }

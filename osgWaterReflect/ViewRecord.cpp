@@ -42,7 +42,7 @@ void ViewRecord::draw(osgUtil::CullVisitor& view, const WaterSurface& water,
     if (settings.capture != CaptureKind::MIRROR) searched.push_back(take(viewEye(view)));
     if (settings.capture != CaptureKind::VIEW)
         searched.push_back(take(mirroredEye(view, water, sheet)));
-    passFor(entry, water, sheet).draw(view, searched, water, sheet);
+    passFor(entry, water, sheet).draw(view, searched, *entry.trace, water, sheet);
 }
 
 // The first water that a cull comes to finds none of the captures arranged. What the cull before
@@ -81,7 +81,7 @@ ViewRecord::CameraCapture& ViewRecord::captureFor(osg::Camera& camera)
     _captures.remove_if([](const CameraCapture& entry) { return !entry.camera.valid(); });
     for (CameraCapture& entry : _captures)
         if (entry.camera == &camera) return entry;
-    _captures.push_back({&camera, {}, {}});
+    _captures.push_back({&camera, {}, new TracePass, {}});
     return _captures.back();
 }
 
@@ -126,6 +126,7 @@ void ViewRecord::releaseGLObjects(const CameraCapture& entry, osg::State* state)
         taken.capture->releaseGLObjects(state);
         taken.pyramid->releaseGLObjects(state);
     }
+    entry.trace->releaseGLObjects(state);
     for (const DrawnSheet& drawn : entry.sheets)
         drawn.pass->releaseGLObjects(state);
 }
@@ -147,6 +148,7 @@ void ViewRecord::resizeGLObjectBuffers(unsigned int maxSize)
             taken.capture->resizeGLObjectBuffers(maxSize);
             taken.pyramid->resizeGLObjectBuffers(maxSize);
         }
+        entry.trace->resizeGLObjectBuffers(maxSize);
         for (DrawnSheet& drawn : entry.sheets)
             drawn.pass->resizeGLObjectBuffers(maxSize);
     }

@@ -70,6 +70,7 @@ private:
     {
         osg::observer_ptr<osg::Camera> camera;
         std::list<Taken> taken;
+        osg::ref_ptr<TracePass> trace; // its image is made when some water asks for it
         std::list<DrawnSheet> sheets;
         unsigned int cull = 0; // number of the cull that has come to some water last
     };

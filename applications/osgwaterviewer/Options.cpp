@@ -104,6 +104,11 @@ void readReflection(OptionReader& reader, WaterLook& look)
     reader.readNumber("--capture-scale", "SCALE",
                       "Size of the captured image over the view's, above 0, up to 1.",
                       reflection.captureScale);
+    reader.readNumber(
+        "--trace-scale", "SCALE",
+        "Size of the image that rays are searched for in first over the view's, above "
+        "0, up to 1.",
+        reflection.traceScale);
 }
 
 void readOptics(OptionReader& reader, osgWaterReflect::WaterOptics& optics)

@@ -52,7 +52,9 @@ int main(int argc, char** argv)
 
     if (!options->picture.file.empty()) return renderOffscreen(viewer, *scene, options->picture);
 
-    viewer.setRealizeOperation(new osgWaterReflect::CompileShaders);
+    using osgWaterReflect::Search;
+    viewer.setRealizeOperation(new osgWaterReflect::CompileShaders(
+        {Search::SEQUENTIAL, Search::BINARY, Search::HIERARCHICAL})); // a key switches them
     if (!addManipulators(viewer, scene->home, options->pathFile)) return 1;
     addHandlers(viewer, &usage, scene->waters, scene->waves);
     return runInWindow(viewer, *scene);

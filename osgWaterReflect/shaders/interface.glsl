@@ -1,7 +1,7 @@
 // Every binding of the water's program: what the C++ side sets and what the stages hand on.
 // The library's prefix is written here and in trace/Bindings.h only; all other pieces use the
 // short names below.
-#pragma import_defines(OSGWR_SEARCH, OSGWR_IMAGES, OSGWR_SKY, OSGWR_OUTPUT)
+#pragma import_defines(OSGWR_SEARCH, OSGWR_IMAGES, OSGWR_SKY, OSGWR_OUTPUT, OSGWR_TRACE)
 
 // The axes of variation, one enumerated define each.
 #define SEARCH_SEQUENTIAL 1
@@ -17,6 +17,8 @@
 #define OUTPUT_POINT 4
 #define OUTPUT_NORMAL 5
 #define OUTPUT_HIT 6
+#define TRACE_HERE 1
+#define TRACE_SAMPLED 2
 
 // A capture: an image of the scene without water, and the matrix it was taken with.
 struct Capture
@@ -55,6 +57,15 @@ uniform sampler2D osgwr_obliqueWindowZ;
 uniform vec4 osgwr_straightened;         // of (x, y [pixels], oblique windowZ, 1)
 #define obliqueWindowZ osgwr_obliqueWindowZ
 #define straightened osgwr_straightened
+
+// What the rays of an image smaller than the view have found (trace/TracePass.h), with
+// TRACE_SAMPLED.
+uniform sampler2D osgwr_found;
+uniform vec4 osgwr_foundFromWindow;      // its texels = xy * gl_FragCoord.xy + zw
+uniform float osgwr_sheet;               // tells the view's sheets of water apart, from 1
+#define foundTexels osgwr_found
+#define foundFromWindow osgwr_foundFromWindow
+#define sheet osgwr_sheet
 
 // The view.
 uniform vec4 osgwr_eyePointEye;          // centre of projection, homogeneous: (0, 0, 0, 1) or (direction, 0)

@@ -44,6 +44,15 @@ Sighting lookFor(Capture capture, vec3 originEye, vec3 dirEye)
     return sighting;
 }
 
+// Whether the image may hide what a ray meets, or not hold it: behind what hid a ray that came out
+// to the sky, too, something may stand.
+bool isLost(TraceResult result)
+{
+    return result.reason != REASON_HIT && (result.reason != REASON_SKY || result.hidden > 0.0);
+}
+
+#include "found.glsl"
+
 vec3 capturedColour(Capture capture, vec2 window)
 {
     vec2 uv = window / vec2(textureSize(capture.colour, 0));
@@ -102,16 +111,9 @@ bool leftImage(int reason)
     return reason >= REASON_LEFT && reason <= REASON_TOP;
 }
 
-// Whether the image may hide what a ray meets, or not hold it: behind what hid a ray that came out
-// to the sky, too, something may stand.
-bool isLost(TraceResult result)
-{
-    return result.reason != REASON_HIT && (result.reason != REASON_SKY || result.hidden > 0.0);
-}
-
 Reflection traceReflection(vec3 originEye, vec3 dirEye)
 {
-    Sighting sighting = lookFor(eyeCapture, originEye, dirEye);
+    Sighting sighting = sightingOf(eyeCapture, false, originEye, dirEye);
     ImageRay ray = sighting.ray;
     TraceResult result = sighting.result;
     bool hit = result.reason == REASON_HIT;
@@ -135,9 +137,9 @@ Reflection traceReflection(vec3 originEye, vec3 dirEye)
     reflection.mirrored = false;
 
 #if OSGWR_IMAGES == IMAGES_TWO
-    if (isLost(result))
+    if (mayBeMirrored(result))
     {
-        Sighting mirrored = lookFor(mirrorCapture, originEye, dirEye);
+        Sighting mirrored = sightingOf(mirrorCapture, true, originEye, dirEye);
         if (mirrored.result.reason == REASON_HIT)
         {
             reflection.colour = hitColour(mirrorCapture, mirrored);

@@ -16,26 +16,11 @@ vec3 reasonColour(int reason)
 }
 #endif
 
-// Unit normal in eye space, on the eye's side, turned just enough to face the eye: a pixel of
-// water that is seen faces the eye, whatever a wave's averaged normal says.
-vec3 facingNormal(vec3 normalSurface, vec3 toEye)
-{
-    vec3 normal = side * normalize(normalEyeFromSurface * normalSurface);
-    float facing = dot(normal, toEye);
-    return facing < 0.0 ? normalize(normal - facing * toEye) : normal;
-}
-
 vec4 shadeWater(vec3 p, vec2 planePlace)
 {
     vec3 toEye = normalize(eyePointEye.xyz - eyePointEye.w * p);
-    vec3 still = side * normalize(normalEyeFromSurface * vec3(0.0, 0.0, 1.0));
     vec3 normal = facingNormal(waveNormal(planePlace, dFdx(planePlace), dFdy(planePlace)), toEye);
-
-    // A ray that a wave sends down meets water at once: it is followed as reflected once more,
-    // by still water.
-    vec3 reflected = reflect(-toEye, normal);
-    reflected -= 2.0 * min(dot(reflected, still), 0.0) * still;
-    Reflection reflection = traceReflection(p, reflected);
+    Reflection reflection = traceReflection(p, reflectedDir(toEye, normal));
 
 #if OSGWR_OUTPUT == OUTPUT_WATER
     float eta = side > 0.0 ? refractiveIndex : 1.0 / refractiveIndex;

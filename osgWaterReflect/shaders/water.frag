@@ -6,6 +6,7 @@
 #include "search.glsl"
 #include "sky.glsl"
 #include "reflection.glsl"
+#include "reflected.glsl"
 #include "shade.glsl"
 
 out vec4 fragmentColour;

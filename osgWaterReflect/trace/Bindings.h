@@ -14,6 +14,7 @@ constexpr const char* DEFINE_SEARCH = "OSGWR_SEARCH";
 constexpr const char* DEFINE_IMAGES = "OSGWR_IMAGES";
 constexpr const char* DEFINE_SKY = "OSGWR_SKY";
 constexpr const char* DEFINE_OUTPUT = "OSGWR_OUTPUT";
+constexpr const char* DEFINE_TRACE = "OSGWR_TRACE";
 
 constexpr const char* EYE_CAPTURE = "osgwr_eyeCapture";
 constexpr const char* MIRROR_CAPTURE = "osgwr_mirrorCapture";
@@ -37,6 +38,10 @@ constexpr const char* PYRAMID_LARGE = "osgwr_pyramidLarge";
 constexpr const char* OBLIQUE_WINDOW_Z = "osgwr_obliqueWindowZ";
 constexpr const char* STRAIGHTENED = "osgwr_straightened";
 
+constexpr const char* FOUND = "osgwr_found";
+constexpr const char* FOUND_FROM_WINDOW = "osgwr_foundFromWindow";
+constexpr const char* SHEET = "osgwr_sheet";
+
 constexpr const char* EYE_POINT_EYE = "osgwr_eyePointEye";
 constexpr const char* WORLD_FROM_EYE = "osgwr_worldFromEye";
 
@@ -59,7 +64,8 @@ constexpr const char* WAVE_RISE = "osgwr_waveRise";
 constexpr unsigned int UNIT_EYE_CAPTURE = 0;
 constexpr unsigned int UNIT_MIRROR_CAPTURE = 3;
 constexpr unsigned int UNIT_SKY = 6;
-constexpr unsigned int NUM_UNITS = 7;
+constexpr unsigned int UNIT_FOUND = 7;
+constexpr unsigned int NUM_UNITS = 8;
 
 /// Sets a uniform that nothing above in the scene graph may override.
 template <typename Value>

@@ -76,7 +76,8 @@ void SheetPass::setWater(const WaterSurface& water, Images images)
 
     osg::TextureCubeMap* sky = const_cast<osg::TextureCubeMap*>(water.getSky());
     setVariant(*_stateSet, water.getReflection().search, images,
-               sky ? SkySource::CUBE_MAP : SkySource::CAPTURED, water.getDebugView());
+               sky ? SkySource::CUBE_MAP : SkySource::CAPTURED, water.getDebugView(),
+               water.getReflection().traceScale < 1.0 ? Trace::SAMPLED : Trace::HERE);
     if (sky)
         _stateSet->setTextureAttribute(bindings::UNIT_SKY, sky, ON);
     else
@@ -120,8 +121,22 @@ void SheetPass::setView(const SheetView& view, const glm::dmat4& eyeFromWorld,
     bindings::set(*_stateSet, bindings::SIDE, height < 0.0 ? -1.0f : 1.0f);
 }
 
+void SheetPass::setTraced(const TracePass* trace)
+{
+    if (trace)
+    {
+        _stateSet->setTextureAttribute(bindings::UNIT_FOUND, trace->found(), ON);
+        bindings::set(*_stateSet, bindings::FOUND, static_cast<int>(bindings::UNIT_FOUND));
+        _stateSet->addUniform(trace->foundFromWindow(), ON);
+        return;
+    }
+    _stateSet->removeTextureAttribute(bindings::UNIT_FOUND, osg::StateAttribute::TEXTURE);
+    for (const char* name : {bindings::FOUND, bindings::FOUND_FROM_WINDOW, bindings::SHEET})
+        _stateSet->removeUniform(name);
+}
+
 void SheetPass::draw(osgUtil::CullVisitor& view, const std::vector<Searched>& searched,
-                     const WaterSurface& water, const StillWater& sheet)
+                     TracePass& trace, const WaterSurface& water, const StillWater& sheet)
 {
     const WaveModel* waves = water.getWaves();
     const double amplitude = waves ? waves->getAmplitude() : 0.0;
@@ -151,9 +166,22 @@ void SheetPass::draw(osgUtil::CullVisitor& view, const std::vector<Searched>& se
 
     const osg::BoundingBox bound = sheet.localBound(amplitude);
     view.updateCalculatedNearFar(*view.getModelViewMatrix(), bound);
+    const osg::Matrixd eyeFromMesh = toOsg(eyeFromAnchor(sheetView, mesh.anchor));
+    const double traceScale = water.getReflection().traceScale;
+    const bool sampled = traceScale < 1.0;
+    setTraced(sampled ? &trace : nullptr);
+    if (sampled)
+    {
+        if (!_traceStateSet) _traceStateSet = new osg::StateSet;
+        _traceStateSet->setAttributeAndModes(traceProgram(waves), ON);
+        const bool counting = water.getDebugView() == WaterSurface::DebugView::HIT;
+        setVariant(*_traceStateSet, water.getReflection().search, images, SkySource::CAPTURED,
+                   counting ? WaterSurface::DebugView::HIT : WaterSurface::DebugView::NONE,
+                   Trace::HERE);
+        trace.draw(view, traceScale, *_stateSet, *_traceStateSet, *mesh.geometry, eyeFromMesh);
+    }
     view.pushStateSet(_stateSet.get());
-    view.addDrawableAndDepth(mesh.geometry,
-                             new osg::RefMatrix(toOsg(eyeFromAnchor(sheetView, mesh.anchor))),
+    view.addDrawableAndDepth(mesh.geometry, new osg::RefMatrix(eyeFromMesh),
                              view.getDistanceFromEyePoint(bound.center(), true));
     view.popStateSet();
 }
@@ -161,11 +189,13 @@ void SheetPass::draw(osgUtil::CullVisitor& view, const std::vector<Searched>& se
 void SheetPass::releaseGLObjects(osg::State* state) const
 {
     _stateSet->releaseGLObjects(state);
+    if (_traceStateSet) _traceStateSet->releaseGLObjects(state);
     if (_waveMesh) _waveMesh->geometry()->releaseGLObjects(state);
 }
 
 void SheetPass::resizeGLObjectBuffers(unsigned int maxSize)
 {
     _stateSet->resizeGLObjectBuffers(maxSize);
+    if (_traceStateSet) _traceStateSet->resizeGLObjectBuffers(maxSize);
     if (_waveMesh) _waveMesh->geometry()->resizeGLObjectBuffers(maxSize);
 }

@@ -4,6 +4,7 @@
 #include "../capture/Capture.h"
 #include "../pyramid/Pyramid.h"
 #include "../surface/WaveMesh.h"
+#include "TracePass.h"
 #include "WaterProgram.h"
 
 #include <osgWaterReflect/WaterSurface>
@@ -35,7 +36,8 @@ public:
     /// Adds the sheet to the view, drawn after what is opaque and before what is transparent.
     /// The view is at the water node in its traversal.
     ///   searched  in this order; one or two
-    void draw(osgUtil::CullVisitor& view, const std::vector<Searched>& searched,
+    ///   trace     where its rays are traced first, with a traceScale below 1
+    void draw(osgUtil::CullVisitor& view, const std::vector<Searched>& searched, TracePass& trace,
               const WaterSurface& water, const StillWater& sheet);
 
     void releaseGLObjects(osg::State* state) const;
@@ -61,8 +63,12 @@ private:
     void setView(const SheetView& view, const glm::dmat4& eyeFromWorld, const glm::dvec2& anchor,
                  const WaveModel* waves, double time);
 
+    /// Hands what is traced first to the shader, or takes it away.
+    void setTraced(const TracePass* trace);
+
     osg::ref_ptr<osg::StateSet> _stateSet;
-    osg::ref_ptr<WaveMesh> _waveMesh; // null until waves ask for it
+    osg::ref_ptr<osg::StateSet> _traceStateSet; // null until a traceScale below 1 asks for it
+    osg::ref_ptr<WaveMesh> _waveMesh;           // null until waves ask for it
 };
 
 } // namespace osgWaterReflect

@@ -26,13 +26,23 @@ enum class Images
     TWO ///< the eye's and, for what that hides or loses, the mirrored eye's
 };
 
+/// Where rays are searched for: the values of OSGWR_TRACE.
+enum class Trace
+{
+    HERE = 1, ///< by each pixel
+    SAMPLED   ///< by those of a smaller image first
+};
+
 /// The program of all water whose waves have the same GLSL piece; null stands for calm water. It
 /// exists as long as somebody holds it.
 osg::ref_ptr<osg::Program> waterProgram(const WaveModel* waves);
 
+/// The program that traces such water for the smaller image of Trace::SAMPLED.
+osg::ref_ptr<osg::Program> traceProgram(const WaveModel* waves);
+
 /// Chooses a variant of the program: one value for each axis.
 void setVariant(osg::StateSet& stateSet, Search search, Images images, SkySource sky,
-                WaterSurface::DebugView debugView);
+                WaterSurface::DebugView debugView, Trace trace);
 
 } // namespace osgWaterReflect
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace osgWaterReflect;
 using DebugView = WaterSurface::DebugView;
@@ -71,20 +72,31 @@ bool differs(float a, float b)
     return std::abs(a - b) > DEPTH_STEPS;
 }
 
-// Nearest (farthest) windowZ in the cell of a side about a pixel.
-float boundOf(const osg::Image& windowZ, int x, int y, int side, bool nearest)
+// Nearest (farthest) windowZ in the cells of a side.
+class Bounds
 {
-    float bound = nearest ? 1.0f : 0.0f;
-    const int left = x / side * side;
-    const int low = y / side * side;
-    for (int py = low; py < std::min(low + side, windowZ.t()); ++py)
-        for (int px = left; px < std::min(left + side, windowZ.s()); ++px)
-        {
-            const float z = *reinterpret_cast<const float*>(windowZ.data(px, py));
-            bound = nearest ? std::min(bound, z) : std::max(bound, z);
-        }
-    return bound;
-}
+public:
+    Bounds(const osg::Image& windowZ, int side, bool nearest) :
+        _side(side), _columns((windowZ.s() + side - 1) / side),
+        _bounds(_columns * ((windowZ.t() + side - 1) / side), nearest ? 1.0f : 0.0f)
+    {
+        for (int y = 0; y < windowZ.t(); ++y)
+            for (int x = 0; x < windowZ.s(); ++x)
+            {
+                const float z = *reinterpret_cast<const float*>(windowZ.data(x, y));
+                float& bound = _bounds[indexOf(x, y)];
+                bound = nearest ? std::min(bound, z) : std::max(bound, z);
+            }
+    }
+    float about(int x, int y) const { return _bounds[indexOf(x, y)]; }
+
+private:
+    std::size_t indexOf(int x, int y) const { return y / _side * _columns + x / _side; }
+
+    int _side;
+    int _columns;
+    std::vector<float> _bounds;
+};
 
 } // namespace
 
@@ -114,15 +126,19 @@ TEST_CASE("a pyramid bounds what a capture shows, at any size")
         CHECK(cells->s() == (windowZ.s() + 3) / 4);
         CHECK(cells->t() == (windowZ.t() + 3) / 4);
 
+        const Bounds small(windowZ, 4, true);
+        const Bounds middle(windowZ, 32, true);
+        const Bounds large(windowZ, 256, true);
+        const Bounds farthest(windowZ, 4, false);
         int wrong = 0;
         for (int y = 0; y < cells->t(); ++y)
             for (int x = 0; x < cells->s(); ++x)
             {
                 const osg::Vec4 cell = cells->getColor(x, y);
-                wrong += differs(cell.r(), boundOf(windowZ, 4 * x, 4 * y, 4, true)) ||
-                         differs(cell.g(), boundOf(windowZ, 4 * x, 4 * y, 32, true)) ||
-                         differs(cell.b(), boundOf(windowZ, 4 * x, 4 * y, 256, true)) ||
-                         differs(cell.a(), boundOf(windowZ, 4 * x, 4 * y, 4, false));
+                wrong += differs(cell.r(), small.about(4 * x, 4 * y)) ||
+                         differs(cell.g(), middle.about(4 * x, 4 * y)) ||
+                         differs(cell.b(), large.about(4 * x, 4 * y)) ||
+                         differs(cell.a(), farthest.about(4 * x, 4 * y));
             }
         CHECK(wrong == 0);
     }

@@ -100,6 +100,9 @@ TEST_CASE("reflection settings out of range are refused, by name, and the old on
     checkMember<ReflectionSettings, double>(
         "ReflectionSettings::guardBandShare", &ReflectionSettings::guardBandShare,
         {-TINY, -1.0, 1.0001, NaN, INF, -INF}, {0.0, TINY, 1.0}, setReflection, getReflection);
+    checkMember<ReflectionSettings, double>(
+        "ReflectionSettings::traceScale", &ReflectionSettings::traceScale,
+        {0.0, -1.0, 1.0000001, NaN, INF, -INF}, {TINY, 0.5, 1.0}, setReflection, getReflection);
 }
 
 TEST_CASE("optics out of range are refused, by name, and the old ones stay")
@@ -144,6 +147,7 @@ TEST_CASE("a copy of a water surface has every option of the original")
     reflection.guardBand = GuardBandKind::FIXED;
     reflection.maxExtraPixels = 0.5;
     reflection.guardBandShare = 0.125;
+    reflection.traceScale = 0.5;
     REQUIRE(water->setReflection(reflection));
     WaterOptics optics;
     optics.refractiveIndex = 1.4;

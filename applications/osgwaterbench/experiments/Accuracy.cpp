@@ -42,6 +42,12 @@ public:
         settings.capture = capture;
         return libraryMethod(_name + ", " + name, settings);
     }
+    Method withTraceScale(double scale) const
+    {
+        ReflectionSettings settings = _settings;
+        settings.traceScale = scale;
+        return libraryMethod(_name + ", trace scale " + fixed(scale, 2), settings);
+    }
     Method withStride(int stride) const
     {
         ReflectionSettings settings = _settings;
@@ -66,6 +72,7 @@ std::vector<Method> methods(bool quick)
                 mirror,
                 both,
                 hierarchical.withCaptureScale(0.5),
+                hierarchical.withTraceScale(0.5),
                 sequential.method(),
                 sequential.withStride(4),
                 binary.method(),
@@ -79,6 +86,8 @@ std::vector<Method> methods(bool quick)
             hierarchical.withThickness(2.0),
             hierarchical.withCaptureScale(0.5),
             hierarchical.withCaptureScale(0.25),
+            hierarchical.withTraceScale(0.5),
+            hierarchical.withTraceScale(0.25),
             sequential.method(),
             sequential.withStride(2),
             sequential.withStride(4),

@@ -100,7 +100,8 @@ Json osgwaterbench::toJson(const Method& method)
                  {"stride", method.settings.stride},
                  {"thickness", method.settings.thickness},
                  {"capture", CAPTURE_NAMES.at(method.settings.capture)},
-                 {"capture_scale", method.settings.captureScale}};
+                 {"capture_scale", method.settings.captureScale},
+                 {"trace_scale", method.settings.traceScale}};
     if (method.mirror) json["distortion"] = method.mirror->distortion;
     return json;
 }

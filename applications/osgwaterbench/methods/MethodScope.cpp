@@ -15,6 +15,8 @@ MethodScope::MethodScope(const Method& method, TestBed& bed) : _bed(bed)
     for (const auto& piece : method.pieces)
         _replacements.emplace_back(piece.first, piece.second);
     bed.programs.insert(osgWaterReflect::waterProgram(bed.water->getWaves()));
+    if (method.settings.traceScale < 1.0)
+        bed.programs.insert(osgWaterReflect::traceProgram(bed.water->getWaves()));
     bed.water->setReflection(method.settings);
 
     if (bed.mirror) bed.mirror->setNodeMask(method.mirror ? ~0u : 0u);

@@ -4,6 +4,7 @@
 
 #include <osgWaterReflect/capture/Capture.h>
 #include <osgWaterReflect/offscreen/OffscreenContext.h>
+#include <osgWaterReflect/trace/TracePass.h>
 
 #include <osg/Geode>
 #include <osgUtil/RenderStage>
@@ -14,6 +15,7 @@
 
 using namespace osgwaterbench;
 using osgWaterReflect::Capture;
+using osgWaterReflect::TracePass;
 using osgWaterReflect::WaterSurface;
 
 namespace
@@ -180,7 +182,11 @@ void BenchView::watchImages()
     auto& renderer = dynamic_cast<osgViewer::Renderer&>(*_viewer.getCamera()->getRenderer());
     for (const auto& before : renderer.getSceneView(0)->getRenderStage()->getPreRenderList())
     {
-        _clock->watchImage(*before.second->getCamera());
+        osg::Camera& camera = *before.second->getCamera();
+        if (camera.getName() == TracePass::CAMERA_NAME)
+            _clock->watchTrace(camera);
+        else
+            _clock->watchImage(camera);
         for (const auto& after : before.second->getPostRenderList())
             _clock->watchPyramid(*after.second->getCamera());
     }

@@ -71,6 +71,12 @@ void StageClock::watchPyramid(osg::Camera& camera)
     camera.setPostDrawCallback(new MarkCallback(*this, Mark::PYRAMID_END));
 }
 
+void StageClock::watchTrace(osg::Camera& camera)
+{
+    camera.setPreDrawCallback(new MarkCallback(*this, Mark::TRACE_BEGIN));
+    camera.setPostDrawCallback(new MarkCallback(*this, Mark::TRACE_END));
+}
+
 osg::ref_ptr<osg::Drawable> StageClock::createWaterMark()
 {
     return new MarkDrawable(*this);
@@ -117,16 +123,18 @@ void StageClock::take(Mark mark, osg::RenderInfo& renderInfo)
 FrameTime StageClock::read() const
 {
     FrameTime result;
-    double begin = 0.0; // of an image
+    double begin = 0.0; // of what is rendered before the frame
     for (const MarkedTime& marked : _marks)
     {
         const double sinceBegin = marked.time - begin;
-        if (marked.mark == Mark::IMAGE_BEGIN || marked.mark == Mark::PYRAMID_BEGIN)
+        if (marked.mark == Mark::IMAGE_BEGIN || marked.mark == Mark::PYRAMID_BEGIN ||
+            marked.mark == Mark::TRACE_BEGIN)
             begin = marked.time;
         if (marked.mark == Mark::IMAGE_END || marked.mark == Mark::PYRAMID_END)
             result.image += sinceBegin;
         if (marked.mark == Mark::PYRAMID_END) result.pyramid += sinceBegin;
-        if (marked.mark == Mark::WATER_BEGIN) result.trace = _marks.back().time - marked.time;
+        if (marked.mark == Mark::TRACE_END) result.trace += sinceBegin;
+        if (marked.mark == Mark::WATER_BEGIN) result.trace += _marks.back().time - marked.time;
     }
     result.frame = _ended - _started;
     return result;

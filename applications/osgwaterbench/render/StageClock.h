@@ -14,7 +14,7 @@ namespace osgwaterbench
 struct FrameTime
 {
     double image = 0.0;   ///< rendering the images that reflections are looked up in, and pyramids
-    double trace = 0.0;   ///< drawing the water: its vertices, the search and the shading
+    double trace = 0.0;   ///< drawing the water, and tracing it before: vertices, search, shading
     double frame = 0.0;   ///< everything, cull and draw, until the last pixel is done
     double pyramid = 0.0; ///< the part of image that pyramids take
 };
@@ -42,6 +42,9 @@ public:
     void watchImage(osg::Camera& camera);
     void watchPyramid(osg::Camera& camera);
 
+    /// What a camera draws counts as trace. It must not be watched by another clock.
+    void watchTrace(osg::Camera& camera);
+
     /// To be drawn between what is opaque and the water.
     osg::ref_ptr<osg::Drawable> createWaterMark();
 
@@ -61,6 +64,8 @@ private:
         IMAGE_END,
         PYRAMID_BEGIN,
         PYRAMID_END,
+        TRACE_BEGIN,
+        TRACE_END,
         WATER_BEGIN,
         FRAME_END
     };
