@@ -68,7 +68,8 @@ vec3 colourAmidEdges(Capture capture, ImageRay ray, TraceResult hit)
     vec4 sum = vec4(0.0);
     vec3 closest = vec3(0.0);
     float closestZ = 2.0;
-    int pixels = hit.smoothAbout ? 0 : 4; // rasterisers that run several pixels at once come here for all
+    // Rasterisers that run several pixels at once come here for those, too, that need none of it.
+    int pixels = hit.smoothAbout ? 0 : 4;
     for (int i = 0; i < pixels; ++i)
     {
         vec2 corner = vec2(i & 1, i >> 1);

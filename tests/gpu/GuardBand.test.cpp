@@ -178,6 +178,9 @@ TEST_CASE("whatever water is met first, and after a cut, the first frame is as t
     {
         scene = scenes::together({water, boxes, pond});
     }
+    const osg::ref_ptr<osg::Group> withoutPond = scenes::together({boxes, water});
+    BandView alone;
+    int wider = 0;
     BandView view;
     for (const double degrees : {12.0, 0.0, 20.0, 3.0, 35.0})
     {
@@ -189,7 +192,14 @@ TEST_CASE("whatever water is met first, and after a cut, the first frame is as t
         CHECK(countDifferent(view.render(scene), *first) == 0);
         CHECK(view.capturedWidth() == width);
         CHECK(view.capturedHeight() == height);
+
+        alone.pitch(degrees);
+        alone.render(withoutPond);
+        wider += alone.capturedHeight() > HEIGHT;
+        CHECK(width >= alone.capturedWidth());
+        CHECK(height >= alone.capturedHeight());
     }
+    CHECK(wider > 0);
 }
 
 // Falls when each level or thickness has a capture of its own.
