@@ -9,7 +9,9 @@
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/mat2x2.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 
 /// The one place where matrices change hands. OpenSceneGraph multiplies row vectors, v * A * B;
 /// everything here multiplies columns and is named destination first, so that a chain reads
@@ -67,6 +69,22 @@ inline glm::dvec4 eyePointOf(const glm::dmat4& clipFromEye)
     const glm::dmat4 rows = glm::transpose(clipFromEye);
     const glm::dvec3 along = glm::cross(glm::dvec3(rows[0]), glm::dvec3(rows[1]));
     return glm::dvec4(along.z < 0.0 ? -along : along, 0.0);
+}
+
+/// How windowZ changes between two projections that differ in near and far only, whatever their
+/// kind: 1 - windowZ in the second is x + y (1 - windowZ in the first). Counted from the far end,
+/// where most of a scene lies, single precision does not run short.
+inline glm::dvec2 farGapBetween(const glm::dmat4& firstClipFromEye,
+                                const glm::dmat4& secondClipFromEye)
+{
+    // What takes (z, 1) in eye space to (z, w) in clip space.
+    const auto alongView = [](const glm::dmat4& m)
+    { return glm::dmat2(m[2][2], m[2][3], m[3][2], m[3][3]); };
+    const glm::dmat2 secondFromFirst =
+        alongView(secondClipFromEye) * glm::inverse(alongView(firstClipFromEye));
+    const double slope = secondFromFirst[0][0] / secondFromFirst[1][1];
+    const double ndcZOfMiddle = secondFromFirst[1][0] / secondFromFirst[1][1];
+    return glm::dvec2(0.5 * (1.0 - ndcZOfMiddle - slope), slope);
 }
 
 } // namespace osgWaterReflect

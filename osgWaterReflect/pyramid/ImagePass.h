@@ -1,11 +1,11 @@
 #ifndef OSGWATERREFLECT_PYRAMID_IMAGEPASS_H
 #define OSGWATERREFLECT_PYRAMID_IMAGEPASS_H
 
+#include "ImageStage.h"
+
 #include <osg/Camera>
-#include <osg/Geometry>
 #include <osg/Program>
 #include <osg/Texture2D>
-#include <osgUtil/RenderStage>
 
 #include <glm/vec2.hpp>
 
@@ -29,7 +29,7 @@ public:
     void setInput(unsigned int unit, const char* name, osg::Texture2D* texture);
 
     /// For uniforms of the shader's own.
-    osg::StateSet& stateSet() { return *_stateSet; }
+    osg::StateSet& stateSet() { return _stage->stateSet(); }
 
     /// Renders it after a stage and all that is to be rendered after that so far, into the lower
     /// left part of its image.
@@ -45,11 +45,8 @@ public:
 private:
     std::string _fragmentShader;
     osg::ref_ptr<osg::Texture2D> _image;
-    osg::ref_ptr<osg::StateSet> _stateSet;
-    osg::ref_ptr<osg::Geometry> _triangle;
     osg::ref_ptr<osg::Camera> _camera; // holds the attachment; it is no node of the scene
-    osg::ref_ptr<osgUtil::StateGraph> _stateGraph;
-    osg::ref_ptr<osgUtil::RenderStage> _stage;
+    osg::ref_ptr<ImageStage> _stage;
 };
 
 } // namespace osgWaterReflect

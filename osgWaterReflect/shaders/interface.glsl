@@ -40,6 +40,16 @@ uniform vec3 osgwr_clearColour;
 #define mirrorCapture osgwr_mirrorCapture
 #define clearColour osgwr_clearColour
 
+// The frame as drawn so far, and how it becomes a capture (capture/FrameCopy.h).
+uniform sampler2D osgwr_frameColour;
+uniform sampler2D osgwr_frameWindowZ;
+uniform vec4 osgwr_frameFromCapture;     // [pixels] the frame's are xy + zw times the capture's
+uniform vec2 osgwr_captureFarGap;        // 1 - windowZ in the capture is x + y (1 - windowZ in the frame)
+#define frameColour osgwr_frameColour
+#define frameWindowZ osgwr_frameWindowZ
+#define frameFromCapture osgwr_frameFromCapture
+#define captureFarGap osgwr_captureFarGap
+
 // A capture's pyramid, and what the passes read that build it (pyramid/Pyramid.h).
 #define CELL 4          // [pixels] side of the smallest cells
 #define CELLS_MERGED 8  // side of a larger cell, in cells of the level below

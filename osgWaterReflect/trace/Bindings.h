@@ -30,6 +30,11 @@ constexpr const char* DEPTH_SCALE = ".depthScale";
 constexpr const char* PIXEL_EXTENT = ".pixelExtent";
 constexpr const char* FIRST_COLUMN = ".firstColumn";
 
+constexpr const char* FRAME_COLOUR = "osgwr_frameColour";
+constexpr const char* FRAME_WINDOW_Z = "osgwr_frameWindowZ";
+constexpr const char* FRAME_FROM_CAPTURE = "osgwr_frameFromCapture";
+constexpr const char* CAPTURE_FAR_GAP = "osgwr_captureFarGap";
+
 constexpr const char* PYRAMID_SOURCE = "osgwr_pyramidSource";
 constexpr const char* PYRAMID_SOURCE_SIZE = "osgwr_pyramidSourceSize";
 constexpr const char* PYRAMID_MIDDLE = "osgwr_pyramidMiddle";

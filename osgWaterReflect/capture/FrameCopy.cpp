@@ -1,0 +1,109 @@
+#include "FrameCopy.h"
+
+#include "../Transforms.h"
+#include "../shaders/SharedProgram.h"
+#include "../trace/Bindings.h"
+#include "Interlude.h"
+
+#include <osg/Depth>
+#include <osgUtil/RenderBin>
+
+using namespace osgWaterReflect;
+
+namespace
+{
+
+// The last before the water's (trace/SheetPass.cpp).
+const int BIN = 8;
+
+const int UNIT_COLOUR = 0;
+const int UNIT_WINDOW_Z = 1;
+
+} // namespace
+
+// Draws a bin as it would have been drawn without, and then the copy.
+class FrameCopy::DrawCallback : public osgUtil::RenderBin::DrawCallback
+{
+public:
+    DrawCallback(FrameCopy& copy, osgUtil::RenderBin::DrawCallback* bins) :
+        _copy(&copy), _bins(bins)
+    {
+    }
+
+    void drawImplementation(osgUtil::RenderBin* bin, osg::RenderInfo& renderInfo,
+                            osgUtil::RenderLeaf*& previous) override
+    {
+        if (_bins)
+            _bins->drawImplementation(bin, renderInfo, previous);
+        else
+            bin->drawImplementation(renderInfo, previous);
+        _copy->draw(renderInfo, previous);
+    }
+
+private:
+    const osg::ref_ptr<FrameCopy> _copy;
+    const osg::ref_ptr<osgUtil::RenderBin::DrawCallback> _bins;
+};
+
+FrameCopy::FrameCopy() : _frame(new FrameImages), _stage(new ImageStage)
+{
+    osg::StateSet& stateSet = _stage->stateSet();
+    stateSet.setTextureAttribute(UNIT_COLOUR, _frame->colour());
+    stateSet.setTextureAttribute(UNIT_WINDOW_Z, _frame->windowZ());
+    bindings::set(stateSet, bindings::FRAME_COLOUR, UNIT_COLOUR);
+    bindings::set(stateSet, bindings::FRAME_WINDOW_Z, UNIT_WINDOW_Z);
+    stateSet.setMode(GL_DEPTH_TEST, osg::StateAttribute::ON); // without, no depth is written
+    stateSet.setAttribute(new osg::Depth(osg::Depth::ALWAYS));
+}
+
+osg::ref_ptr<osg::Program> FrameCopy::program()
+{
+    return sharedProgram("pyramid.vert", "frame_copy.frag");
+}
+
+void FrameCopy::require(osgUtil::CullVisitor& view, osg::Camera& target, const osg::Viewport& place,
+                        const osg::RefMatrix& captureProjection)
+{
+    osgUtil::RenderStage& viewStage = *view.getCurrentRenderStage();
+    _viewport = viewStage.getViewport();
+    _frameProjection = view.getProjectionMatrix();
+    _captureProjection = &captureProjection;
+    _colourFormat =
+        target.getBufferAttachmentMap()[osg::Camera::COLOR_BUFFER0]._texture->getInternalFormat();
+
+    _stage->setCamera(&target);
+    _stage->stateSet().setAttributeAndModes(program());
+    _stage->prepare(place.x(), place.y(), place.width(), place.height());
+    const double pixelX = _viewport->width() / place.width();
+    const double pixelY = _viewport->height() / place.height();
+    bindings::set(_stage->stateSet(), bindings::FRAME_FROM_CAPTURE,
+                  osg::Vec4(-pixelX * place.x(), -pixelY * place.y(), pixelX, pixelY));
+
+    osgUtil::RenderBin* bin = viewStage.find_or_insert(BIN, "RenderBin");
+    bin->setDrawCallback(new DrawCallback(*this, bin->getDrawCallback()));
+}
+
+void FrameCopy::draw(osg::RenderInfo& renderInfo, const osgUtil::RenderLeaf* last)
+{
+    osg::State& state = *renderInfo.getState();
+    const Interlude interlude(state, last);
+    if (!_frame->copy(state, *_viewport, _colourFormat)) return;
+
+    const glm::dvec2 farGap =
+        farGapBetween(fromOsg(*_frameProjection), fromOsg(*_captureProjection));
+    bindings::set(_stage->stateSet(), bindings::CAPTURE_FAR_GAP, osg::Vec2(farGap.x, farGap.y));
+    osgUtil::RenderLeaf* none = nullptr;
+    _stage->draw(renderInfo, none);
+}
+
+void FrameCopy::releaseGLObjects(osg::State* state) const
+{
+    _frame->releaseGLObjects(state);
+    _stage->releaseGLObjects(state);
+}
+
+void FrameCopy::resizeGLObjectBuffers(unsigned int maxSize)
+{
+    _frame->resizeGLObjectBuffers(maxSize);
+    _stage->resizeGLObjectBuffers(maxSize);
+}
