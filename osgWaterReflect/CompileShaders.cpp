@@ -23,6 +23,7 @@ CompileShaders::CompileShaders(const std::vector<Search>& searches) :
     for (const osg::ref_ptr<osg::Program>& program : Pyramid::programs())
         _programs.push_back(program);
     _programs.push_back(ImagePass::program(Capture::STRAIGHTEN));
+    _programs.push_back(FrameCopy::program());
 }
 
 // Linking is only a part: drivers leave the rest to the first draw, for the formats and the state
@@ -96,4 +97,8 @@ void CompileShaders::operator()(osg::GraphicsContext* context)
                 }
             }
         }
+
+    ReflectionSettings ofFrame;
+    ofFrame.capture = CaptureKind::FRAME;
+    draw(ofFrame, nullptr, noSky);
 }

@@ -8,8 +8,8 @@ bool ReflectionSettings::check() const
 {
     if (search != Search::SEQUENTIAL && search != Search::BINARY && search != Search::HIERARCHICAL)
         return refuse("ReflectionSettings::search", "a member of Search", static_cast<int>(search));
-    if (capture != CaptureKind::VIEW && capture != CaptureKind::MIRROR &&
-        capture != CaptureKind::VIEW_AND_MIRROR)
+    if (capture != CaptureKind::VIEW && capture != CaptureKind::FRAME &&
+        capture != CaptureKind::MIRROR && capture != CaptureKind::VIEW_AND_MIRROR)
         return refuse("ReflectionSettings::capture", "a member of CaptureKind",
                       static_cast<int>(capture));
     if (!expectPositive("ReflectionSettings::thickness", thickness)) return false;

@@ -40,7 +40,7 @@ void ViewRecord::draw(osgUtil::CullVisitor& view, const WaterSurface& water,
     };
     std::vector<Searched> searched;
     if (settings.capture != CaptureKind::MIRROR) searched.push_back(take(viewEye(view)));
-    if (settings.capture != CaptureKind::VIEW)
+    if (settings.capture == CaptureKind::MIRROR || settings.capture == CaptureKind::VIEW_AND_MIRROR)
         searched.push_back(take(mirroredEye(view, water, sheet)));
     passFor(entry, water, sheet).draw(view, searched, *entry.trace, water, sheet);
 }

@@ -53,12 +53,6 @@ GLint colourFormat(const osg::Camera& camera)
     return GL_RGBA8;
 }
 
-bool contains(const NdcExtent& outer, const NdcExtent& inner)
-{
-    return outer.left <= inner.left && outer.right >= inner.right && outer.bottom <= inner.bottom &&
-           outer.top >= inner.top;
-}
-
 // [1] Of half the view's size: how much farther than needed is culled, so that a camera that turns
 // slowly does not have everything culled twice.
 const double CULL_MARGIN = 0.1;
@@ -125,6 +119,13 @@ void Capture::require(osgUtil::CullVisitor& view, const CaptureEye& eye)
     // After every texture of the scene's own that the view renders first.
     view.getCurrentRenderStage()->addPreRenderStage(_stage.get(), INT_MAX);
     if (_mirrored) cutOff(*eye.floor, *projection);
+    if (_fromFrame)
+    {
+        if (!_copy) _copy = new FrameCopy;
+        const osg::ref_ptr<osg::Viewport> place =
+            new osg::Viewport(_band.left, _band.bottom, _viewSize.x, _viewSize.y);
+        _copy->require(view, *_camera, *place, *projection);
+    }
 
     // For draw callbacks that ask it, and for those who look into a frame.
     _camera->setName(_mirrored ? MIRROR_CAMERA_NAME : CAMERA_NAME);
@@ -147,6 +148,31 @@ void Capture::cutOff(const WaterPlane& floor, osg::RefMatrix& projection)
                   osg::Vec4(straightened.x / _size.x, straightened.y / _size.y, straightened.z,
                             straightened.w));
     _straightened->require(*_stage, _size, _capacity);
+}
+
+// A capture that is drawn serves the waters that ask for a copy, too.
+bool Capture::isCopyAskedFor() const
+{
+    bool asked = false;
+    for (const MetWater& met : _visitor->waters())
+    {
+        const CaptureKind kind = met.water->getReflection().capture;
+        if (kind == CaptureKind::VIEW || kind == CaptureKind::VIEW_AND_MIRROR) return false;
+        asked = asked || kind == CaptureKind::FRAME;
+    }
+    return asked;
+}
+
+// The frame is to be copied: what it shows as a whole is not drawn again.
+void Capture::keepBand(const StageContent& content, const glm::dmat4& clipFromEye)
+{
+    if (_size != _viewSize)
+    {
+        content.keepBeyond(clipFromEye);
+        return;
+    }
+    _stage->reset(); // of stages before it, too: shadow maps
+    _stage->setClearMask(0);
 }
 
 double Capture::highestWaves() const
@@ -195,6 +221,8 @@ void Capture::cull(osgUtil::CullVisitor& view, const CaptureEye& eye, osg::RefMa
     for (int column = 0; column < 4; ++column)
         wide[column][2] = projection(column, 2); // near and far as they were fitted
     if (!contains(NdcExtent(), _culled)) content.keepSeenThrough(wide);
+    _fromFrame = !_mirrored && isCopyAskedFor();
+    if (_fromFrame) keepBand(content, clipFromEye);
     projection.set(toOsg(wide));
     _visitor->finish(*_stage);
     _culled = withMargin(demand.possible());
@@ -248,6 +276,7 @@ void Capture::releaseGLObjects(osg::State* state) const
     _colour->releaseGLObjects(state);
     _windowZ->releaseGLObjects(state);
     if (_straightened) _straightened->releaseGLObjects(state);
+    if (_copy) _copy->releaseGLObjects(state);
     _stage->releaseGLObjects(state);
 }
 
@@ -256,4 +285,5 @@ void Capture::resizeGLObjectBuffers(unsigned int maxSize)
     _colour->resizeGLObjectBuffers(maxSize);
     _windowZ->resizeGLObjectBuffers(maxSize);
     if (_straightened) _straightened->resizeGLObjectBuffers(maxSize);
+    if (_copy) _copy->resizeGLObjectBuffers(maxSize);
 }

@@ -3,6 +3,7 @@
 
 #include "../pyramid/ImagePass.h"
 #include "CaptureVisitor.h"
+#include "FrameCopy.h"
 #include "GuardBand.h"
 #include "MirroredEye.h"
 #include "NdcExtent.h"
@@ -17,6 +18,7 @@ namespace osgWaterReflect
 {
 
 class BandDemand;
+struct StageContent;
 
 /// An image of the scene without its water, and the matrix it was taken with: what one camera of
 /// one view sees this frame, or what its eye mirrored in water does, rendered before that camera.
@@ -43,7 +45,9 @@ public:
     /// Renders the capture before the view's current stage, unless that has been arranged in this
     /// cull already. The most demanding of the waters that it meets set scale and guard band (a
     /// mirrored eye's capture has none), and the highest waves how much under a mirrored eye's
-    /// floor is drawn.
+    /// floor is drawn. Where all that look for their rays in it ask for CaptureKind::FRAME, only
+    /// the band is rendered so, and the rest copied in the middle of the view's stage, before the
+    /// water.
     void require(osgUtil::CullVisitor& view, const CaptureEye& eye);
 
     /// Whether it has been, in this cull.
@@ -82,7 +86,7 @@ public:
     double pixelExtent() const;
 
     /// What has rendered the capture when it is done.
-    osgUtil::RenderStage& stage() const { return *_stage; }
+    osgUtil::RenderStage& stage() const { return _fromFrame ? _copy->stage() : *_stage; }
 
     /// Counts the culls that it was arranged in.
     unsigned int serial() const { return _serial; }
@@ -95,6 +99,8 @@ private:
     glm::ivec2 scaledViewSize(const osg::Viewport& viewport) const;
     void allocate(const osg::Camera& camera, const BandDemand& demand);
     double highestWaves() const;
+    bool isCopyAskedFor() const;
+    void keepBand(const StageContent& content, const glm::dmat4& clipFromEye);
 
     /// Cuts off what is under the floor, from what has been culled with a projection.
     void cutOff(const WaterPlane& floor, osg::RefMatrix& projection);
@@ -102,6 +108,7 @@ private:
     osg::ref_ptr<osg::Texture2D> _colour;
     osg::ref_ptr<osg::Texture2D> _windowZ;
     osg::ref_ptr<ImagePass> _straightened; // null until a mirrored eye asks for it
+    osg::ref_ptr<FrameCopy> _copy;         // null until a copy of the frame is asked for
     osg::ref_ptr<osg::Camera> _camera;     // holds the attachments; it is no node of the scene
     osg::ref_ptr<osgUtil::RenderStage> _stage;
     osg::ref_ptr<CaptureVisitor> _visitor;
@@ -114,6 +121,7 @@ private:
     glm::dmat4 _projection{1.0}; // its own, near and far as they were fitted
     glm::dmat4 _clipFromEye{1.0};
     bool _mirrored = false;
+    bool _fromFrame = false; // but for the band
     unsigned int _serial = 0;
 };
 

@@ -6,6 +6,7 @@
 #include "Interlude.h"
 
 #include <osg/Depth>
+#include <osg/GLExtensions>
 #include <osgUtil/RenderBin>
 
 using namespace osgWaterReflect;
@@ -40,12 +41,40 @@ public:
         _copy->draw(renderInfo, previous);
     }
 
+    FrameCopy& copy() const { return *_copy; }
+
 private:
     const osg::ref_ptr<FrameCopy> _copy;
     const osg::ref_ptr<osgUtil::RenderBin::DrawCallback> _bins;
 };
 
-FrameCopy::FrameCopy() : _frame(new FrameImages), _stage(new ImageStage)
+// Copies the frame as a part of its own drawing, so that its camera's callbacks come before and
+// after all of the copy.
+class FrameCopy::Stage : public ImageStage
+{
+public:
+    explicit Stage(FrameCopy& copy) : _copy(copy) {}
+
+    void drawInner(osg::RenderInfo& renderInfo, osgUtil::RenderLeaf*& previous,
+                   bool& doCopyTexture) override
+    {
+        osg::State& state = *renderInfo.getState();
+        state.get<osg::GLExtensions>()->glBindFramebuffer(GL_DRAW_FRAMEBUFFER_EXT,
+                                                          _copy._framebuffer);
+        const bool copied = _copy._frame->copy(state, *_copy._viewport, _copy._colourFormat);
+        setClearMask(copied ? 0 : GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        if (!copied) getStateGraphList().clear();
+        const glm::dvec2 farGap =
+            farGapBetween(fromOsg(*_copy._frameProjection), fromOsg(*_copy._captureProjection));
+        bindings::set(stateSet(), bindings::CAPTURE_FAR_GAP, osg::Vec2(farGap.x, farGap.y));
+        ImageStage::drawInner(renderInfo, previous, doCopyTexture);
+    }
+
+private:
+    FrameCopy& _copy; // that has this
+};
+
+FrameCopy::FrameCopy() : _frame(new FrameImages), _stage(new Stage(*this))
 {
     osg::StateSet& stateSet = _stage->stateSet();
     stateSet.setTextureAttribute(UNIT_COLOUR, _frame->colour());
@@ -72,6 +101,7 @@ void FrameCopy::require(osgUtil::CullVisitor& view, osg::Camera& target, const o
         target.getBufferAttachmentMap()[osg::Camera::COLOR_BUFFER0]._texture->getInternalFormat();
 
     _stage->setCamera(&target);
+    _stage->setClearColor(viewStage.getClearColor());
     _stage->stateSet().setAttributeAndModes(program());
     _stage->prepare(place.x(), place.y(), place.width(), place.height());
     const double pixelX = _viewport->width() / place.width();
@@ -83,15 +113,19 @@ void FrameCopy::require(osgUtil::CullVisitor& view, osg::Camera& target, const o
     bin->setDrawCallback(new DrawCallback(*this, bin->getDrawCallback()));
 }
 
+osgUtil::RenderStage* FrameCopy::stageIn(osgUtil::RenderStage& viewStage)
+{
+    const auto& bins = viewStage.getRenderBinList();
+    const auto bin = bins.find(BIN);
+    if (bin == bins.end()) return nullptr;
+    const auto* const callback = dynamic_cast<DrawCallback*>(bin->second->getDrawCallback());
+    return callback ? &callback->copy().stage() : nullptr;
+}
+
 void FrameCopy::draw(osg::RenderInfo& renderInfo, const osgUtil::RenderLeaf* last)
 {
-    osg::State& state = *renderInfo.getState();
-    const Interlude interlude(state, last);
-    if (!_frame->copy(state, *_viewport, _colourFormat)) return;
-
-    const glm::dvec2 farGap =
-        farGapBetween(fromOsg(*_frameProjection), fromOsg(*_captureProjection));
-    bindings::set(_stage->stateSet(), bindings::CAPTURE_FAR_GAP, osg::Vec2(farGap.x, farGap.y));
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING_EXT, &_framebuffer);
+    const Interlude interlude(*renderInfo.getState(), last);
     osgUtil::RenderLeaf* none = nullptr;
     _stage->draw(renderInfo, none);
 }

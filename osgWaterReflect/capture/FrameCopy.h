@@ -26,13 +26,17 @@ public:
     ///   captureProjection  differs from the view's in near and far, and in the frustum's sides by
     ///                      what is beside the place. Both are read when the copy is drawn, for
     ///                      OSG fits near and far to the scene when a cull ends
-    /// Where the view has no depth buffer, nothing is copied.
+    /// Where the view has no depth buffer, all that the place is in is cleared instead.
     void require(osgUtil::CullVisitor& view, osg::Camera& target, const osg::Viewport& place,
                  const osg::RefMatrix& captureProjection);
 
     /// What is drawn for the copy. Stages after it in its post-render list, added after require(),
     /// are drawn before the water, too. They must not count as dynamic: OSG does not count them.
     osgUtil::RenderStage& stage() { return *_stage; }
+
+    /// The stage of the copy that is arranged in a view's stage, for those who look into a frame;
+    /// null: none.
+    static osgUtil::RenderStage* stageIn(osgUtil::RenderStage& viewStage);
 
     /// What it runs.
     static osg::ref_ptr<osg::Program> program();
@@ -42,11 +46,13 @@ public:
 
 private:
     class DrawCallback;
+    class Stage;
     void draw(osg::RenderInfo& renderInfo, const osgUtil::RenderLeaf* last);
 
     osg::ref_ptr<FrameImages> _frame;
     osg::ref_ptr<ImageStage> _stage;
     GLint _colourFormat = GL_RGBA8;
+    GLint _framebuffer = 0;                      // the view's, while it is drawn
     osg::ref_ptr<const osg::Viewport> _viewport; // the view's
     osg::ref_ptr<const osg::RefMatrix> _frameProjection;
     osg::ref_ptr<const osg::RefMatrix> _captureProjection;

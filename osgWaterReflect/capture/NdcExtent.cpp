@@ -28,6 +28,12 @@ NdcExtent osgWaterReflect::intersect(const NdcExtent& a, const NdcExtent& b)
     return common.empty() ? NdcExtent::none() : common;
 }
 
+bool osgWaterReflect::contains(const NdcExtent& outer, const NdcExtent& inner)
+{
+    return outer.left <= inner.left && outer.right >= inner.right && outer.bottom <= inner.bottom &&
+           outer.top >= inner.top;
+}
+
 NdcExtent osgWaterReflect::seenExtent(const osg::BoundingBox& boxLocal,
                                       const glm::dmat4& clipFromLocal)
 {

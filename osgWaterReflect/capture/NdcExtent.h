@@ -32,6 +32,9 @@ NdcExtent unite(const NdcExtent& a, const NdcExtent& b);
 /// What both have in common; none() where that is nothing.
 NdcExtent intersect(const NdcExtent& a, const NdcExtent& b);
 
+/// Whether all of one lies in another.
+bool contains(const NdcExtent& outer, const NdcExtent& inner);
+
 /// Where a box may be seen; infinite to the sides on which it passes beside the eye, none() where
 /// it lies behind it or is invalid.
 NdcExtent seenExtent(const osg::BoundingBox& boxLocal, const glm::dmat4& clipFromLocal);

@@ -49,6 +49,26 @@ bool isBounded(const RenderLeaf& leaf)
     return drawable.getCullingActive() && drawable.getBoundingBox().valid();
 }
 
+// Leaves out what is bounded and refused.
+template <typename IsRefused>
+void leaveOut(const StageContent& content, const IsRefused& isRefused)
+{
+    const auto isLeftOut = [&](const osg::ref_ptr<RenderLeaf>& leaf)
+    { return leaf->_projection == &content.projection && isBounded(*leaf) && isRefused(*leaf); };
+    const auto reduce = [&](RenderBin& bin)
+    {
+        auto& graphs = bin.getStateGraphList();
+        for (StateGraph* graph : graphs)
+            graph->_leaves.erase(
+                std::remove_if(graph->_leaves.begin(), graph->_leaves.end(), isLeftOut),
+                graph->_leaves.end());
+        graphs.erase(std::remove_if(graphs.begin(), graphs.end(),
+                                    [](const StateGraph* graph) { return graph->_leaves.empty(); }),
+                     graphs.end());
+    };
+    forEachBin(content.stage, reduce);
+}
+
 } // namespace
 
 NdcExtent StageContent::seenThrough(const glm::dmat4& clipFromEye, bool skies) const
@@ -68,21 +88,12 @@ NdcExtent StageContent::seenThrough(const glm::dmat4& clipFromEye, bool skies) c
 
 void StageContent::keepSeenThrough(const glm::dmat4& clipFromEye) const
 {
-    const auto isUnseen = [&](const osg::ref_ptr<RenderLeaf>& leaf)
-    {
-        return leaf->_projection == &projection && isBounded(*leaf) &&
-               intersect(extentOf(*leaf, clipFromEye), NdcExtent()).empty();
-    };
-    const auto reduce = [&](RenderBin& bin)
-    {
-        auto& graphs = bin.getStateGraphList();
-        for (StateGraph* graph : graphs)
-            graph->_leaves.erase(
-                std::remove_if(graph->_leaves.begin(), graph->_leaves.end(), isUnseen),
-                graph->_leaves.end());
-        graphs.erase(std::remove_if(graphs.begin(), graphs.end(),
-                                    [](const StateGraph* graph) { return graph->_leaves.empty(); }),
-                     graphs.end());
-    };
-    forEachBin(stage, reduce);
+    leaveOut(*this, [&](const RenderLeaf& leaf)
+             { return intersect(extentOf(leaf, clipFromEye), NdcExtent()).empty(); });
+}
+
+void StageContent::keepBeyond(const glm::dmat4& clipFromEye) const
+{
+    leaveOut(*this, [&](const RenderLeaf& leaf)
+             { return contains(NdcExtent(), extentOf(leaf, clipFromEye)); });
 }

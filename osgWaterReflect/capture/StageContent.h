@@ -21,6 +21,9 @@ struct StageContent
 
     /// Leaves out what cannot be seen through a projection from the same eye.
     void keepSeenThrough(const glm::dmat4& clipFromEye) const;
+
+    /// Leaves out what is seen through one as a whole.
+    void keepBeyond(const glm::dmat4& clipFromEye) const;
 };
 
 } // namespace osgWaterReflect

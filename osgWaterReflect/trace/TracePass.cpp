@@ -1,5 +1,6 @@
 #include "TracePass.h"
 
+#include "../capture/FrameCopy.h"
 #include "Bindings.h"
 
 #include <algorithm>
@@ -60,19 +61,29 @@ void TracePass::draw(osgUtil::CullVisitor& view, double scale, osg::StateSet& sh
     _stage->addStateGraph(leaves);
 }
 
-// The first sheet of a cull begins the image anew; each moves it to the end of what is rendered
-// before the view, for its captures may have been arranged just now.
+// The first sheet of a cull begins the image anew; each moves it to the end of what is rendered for
+// the captures, for one of them may have been arranged just now.
 void TracePass::arrange(osgUtil::CullVisitor& view)
 {
     osgUtil::RenderStage& stage = *view.getCurrentRenderStage();
-    auto& before = stage.getPreRenderList();
-    const auto arranged = std::find_if(
-        before.begin(), before.end(), [this](const auto& other) { return other.second == _stage; });
-    if (arranged != before.end())
-        before.erase(arranged);
+    osgUtil::RenderStage* const copy = FrameCopy::stageIn(stage);
+    const auto takeFrom = [this](osgUtil::RenderStage::RenderStageList& stages)
+    {
+        const auto arranged =
+            std::find_if(stages.begin(), stages.end(),
+                         [this](const auto& other) { return other.second == _stage; });
+        if (arranged == stages.end()) return false;
+        stages.erase(arranged);
+        return true;
+    };
+    const bool begun =
+        takeFrom(stage.getPreRenderList()) || (copy && takeFrom(copy->getPostRenderList()));
+    if (!begun) begin();
+    // In the order of captures, and of their pyramids.
+    if (copy)
+        copy->addPostRenderStage(_stage, INT_MAX);
     else
-        begin();
-    stage.addPreRenderStage(_stage, INT_MAX); // as captures
+        stage.addPreRenderStage(_stage, INT_MAX);
 }
 
 void TracePass::begin()

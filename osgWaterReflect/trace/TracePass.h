@@ -12,7 +12,8 @@ namespace osgWaterReflect
 {
 
 /// What the rays of one camera's waters find when they are traced at a fraction of the view's
-/// resolution, rendered before the view and after all captures.
+/// resolution, rendered after all captures: before the view, or in the middle of its drawing where
+/// one is copied from that.
 ///
 /// | image | format  | a texel holds                              | size                      |
 /// |-------|---------|--------------------------------------------|---------------------------|

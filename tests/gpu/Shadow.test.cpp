@@ -179,3 +179,35 @@ TEST_CASE("light space perspective shadow maps neither crash nor hang beside wat
     INFO(different << " pixels of the capture differ");
     CHECK(different < 160 * 120 / 10);
 }
+
+// What a second cull does not give, the frame itself has.
+TEST_CASE("a frame with light space perspective shadow maps is reflected with its own shadows")
+{
+    SunView view;
+    const osg::ref_ptr<osg::Group> sunlit = createSunlit();
+    const osg::ref_ptr<osgShadow::ShadowedScene> shadowed =
+        createShadowedScene("LightSpacePerspectiveShadowMapVB");
+    shadowed->addChild(sunlit);
+    const osg::ref_ptr<WaterSurface> lake = scenes::withoutBand(scenes::createLake());
+    lake->setNodeMask(~0u & ~CASTS);
+    osgWaterReflect::ReflectionSettings settings = lake->getReflection();
+    settings.capture = osgWaterReflect::CaptureKind::FRAME;
+    REQUIRE(lake->setReflection(settings));
+    const osg::ref_ptr<osg::Image> withStandIn =
+        copyOf(view.render(scenes::together({sunlit, scenes::createStandIn()})));
+    const osg::ref_ptr<osg::Group> root = scenes::together({shadowed});
+    SECTION("with water inside")
+    {
+        shadowed->addChild(lake);
+    }
+    SECTION("with water beside it, met first")
+    {
+        root->insertChild(0, lake);
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+        const osg::Image& frame = view.render(root);
+        CHECK(scenes::countDifferentOutsideStandIn(*withStandIn, frame,
+                                                   *view.captured->one().colour) == 0);
+    }
+}

@@ -75,9 +75,9 @@ TEST_CASE("reflection settings out of range are refused, by name, and the old on
         {Search::BINARY, Search::SEQUENTIAL, Search::HIERARCHICAL}, setReflection, getReflection);
     checkMember<ReflectionSettings, CaptureKind>(
         "ReflectionSettings::capture", &ReflectionSettings::capture,
-        {static_cast<CaptureKind>(0), static_cast<CaptureKind>(4), static_cast<CaptureKind>(-1)},
-        {CaptureKind::VIEW, CaptureKind::MIRROR, CaptureKind::VIEW_AND_MIRROR}, setReflection,
-        getReflection);
+        {static_cast<CaptureKind>(0), static_cast<CaptureKind>(5), static_cast<CaptureKind>(-1)},
+        {CaptureKind::VIEW, CaptureKind::FRAME, CaptureKind::MIRROR, CaptureKind::VIEW_AND_MIRROR},
+        setReflection, getReflection);
     checkMember<ReflectionSettings, double>(
         "ReflectionSettings::thickness", &ReflectionSettings::thickness,
         {0.0, -0.0, -0.5, NaN, INF, -INF}, {TINY, 0.001, 1e6}, setReflection, getReflection);

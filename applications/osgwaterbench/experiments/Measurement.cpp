@@ -61,7 +61,8 @@ Accuracy Measurement::measure(const Method& method)
     Accuracy accuracy;
     accuracy.measures = placesOf(answers);
     const bool searchesView =
-        method.usesCapture && method.settings.capture == osgWaterReflect::CaptureKind::VIEW;
+        method.usesCapture && (method.settings.capture == osgWaterReflect::CaptureKind::VIEW ||
+                               method.settings.capture == osgWaterReflect::CaptureKind::FRAME);
     if (searchesView) accuracy.search = compareSearch(_drawn, imageTruth(), answers);
     accuracy.picture =
         comparePictures(picture(method), _truePicture, _drawn.isWater).value_or(PictureError());

@@ -12,6 +12,7 @@ const char* const CLASS_NAMES[TRUE_CLASS_COUNT] = {"sky", "visible", "hidden", "
 
 const std::map<osgWaterReflect::CaptureKind, const char*> CAPTURE_NAMES = {
     {osgWaterReflect::CaptureKind::VIEW, "view"},
+    {osgWaterReflect::CaptureKind::FRAME, "frame"},
     {osgWaterReflect::CaptureKind::MIRROR, "mirror"},
     {osgWaterReflect::CaptureKind::VIEW_AND_MIRROR, "view and mirror"}};
 

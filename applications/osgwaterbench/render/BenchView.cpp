@@ -3,6 +3,7 @@
 #include "../methods/NotCaptured.h"
 
 #include <osgWaterReflect/capture/Capture.h>
+#include <osgWaterReflect/capture/FrameCopy.h>
 #include <osgWaterReflect/offscreen/OffscreenContext.h>
 #include <osgWaterReflect/trace/TracePass.h>
 
@@ -15,6 +16,7 @@
 
 using namespace osgwaterbench;
 using osgWaterReflect::Capture;
+using osgWaterReflect::FrameCopy;
 using osgWaterReflect::TracePass;
 using osgWaterReflect::WaterSurface;
 
@@ -180,16 +182,20 @@ std::vector<SearchedImage> BenchView::searchedImages()
 void BenchView::watchImages()
 {
     auto& renderer = dynamic_cast<osgViewer::Renderer&>(*_viewer.getCamera()->getRenderer());
-    for (const auto& before : renderer.getSceneView(0)->getRenderStage()->getPreRenderList())
+    osgUtil::RenderStage& viewStage = *renderer.getSceneView(0)->getRenderStage();
+    const auto watch = [this](osgUtil::RenderStage& image)
     {
-        osg::Camera& camera = *before.second->getCamera();
+        osg::Camera& camera = *image.getCamera();
         if (camera.getName() == TracePass::CAMERA_NAME)
             _clock->watchTrace(camera);
         else
             _clock->watchImage(camera);
-        for (const auto& after : before.second->getPostRenderList())
+        for (const auto& after : image.getPostRenderList())
             _clock->watchPyramid(*after.second->getCamera());
-    }
+    };
+    for (const auto& before : viewStage.getPreRenderList())
+        watch(*before.second);
+    if (osgUtil::RenderStage* const copy = FrameCopy::stageIn(viewStage)) watch(*copy);
 }
 
 FrameTime BenchView::time()

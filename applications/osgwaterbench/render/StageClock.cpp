@@ -9,8 +9,9 @@ using namespace osgwaterbench;
 namespace
 {
 
-// Between what is opaque (0) and the water (9).
-const int MARK_BIN = 8;
+// In the water's bin, before the water: after all that is to be drawn before that.
+const int WATER_BIN = 9;
+const int FIRST_IN_BIN = -1;
 
 double now()
 {
@@ -38,7 +39,7 @@ public:
     {
         setSupportsDisplayList(false);
         setCullingActive(false);
-        getOrCreateStateSet()->setRenderBinDetails(MARK_BIN, "RenderBin");
+        getOrCreateStateSet()->setRenderBinDetails(FIRST_IN_BIN, "RenderBin");
     }
     osg::Object* cloneType() const override { return nullptr; }
     osg::Object* clone(const osg::CopyOp&) const override { return nullptr; }
@@ -77,9 +78,13 @@ void StageClock::watchTrace(osg::Camera& camera)
     camera.setPostDrawCallback(new MarkCallback(*this, Mark::TRACE_END));
 }
 
-osg::ref_ptr<osg::Drawable> StageClock::createWaterMark()
+osg::ref_ptr<osg::Node> StageClock::createWaterMark()
 {
-    return new MarkDrawable(*this);
+    const osg::ref_ptr<osg::Group> mark = new osg::Group;
+    mark->getOrCreateStateSet()->setRenderBinDetails(WATER_BIN, "RenderBin");
+    mark->setCullingActive(false);
+    mark->addChild(new MarkDrawable(*this));
+    return mark;
 }
 
 void StageClock::watchFrame(osg::Camera& camera)

@@ -4,6 +4,7 @@
 #include <osg/Camera>
 #include <osg/Drawable>
 #include <osg/GLExtensions>
+#include <osg/Group>
 
 #include <vector>
 
@@ -46,7 +47,7 @@ public:
     void watchTrace(osg::Camera& camera);
 
     /// To be drawn between what is opaque and the water.
-    osg::ref_ptr<osg::Drawable> createWaterMark();
+    osg::ref_ptr<osg::Node> createWaterMark();
 
     /// The view's camera, in which nothing is drawn after the water.
     void watchFrame(osg::Camera& camera);
