@@ -3,6 +3,7 @@
 #include <osgWaterReflect/TrochoidalWaves>
 #include <osgWaterReflect/WaterSurface>
 
+#include "AutomaticChoice.h"
 #include "pyramid/Pyramid.h"
 #include "trace/WaterProgram.h"
 
@@ -12,8 +13,14 @@
 using namespace osgWaterReflect;
 
 CompileShaders::CompileShaders(const std::vector<Search>& searches) :
-    osg::GraphicsOperation("CompileShaders", false), _searches(searches)
+    osg::GraphicsOperation("CompileShaders", false)
 {
+    for (const Search search : searches)
+    {
+        ReflectionSettings asked;
+        asked.search = search;
+        _searches.push_back(settle(asked, ViewFacts()).search);
+    }
     _waveModels = {nullptr, TrochoidalWaves::createBreeze(1.0, 0.1)};
     for (const osg::ref_ptr<WaveModel>& waves : _waveModels)
     {
@@ -99,6 +106,7 @@ void CompileShaders::operator()(osg::GraphicsContext* context)
         }
 
     ReflectionSettings ofFrame;
+    ofFrame.search = _searches.front();
     ofFrame.capture = CaptureKind::FRAME;
     draw(ofFrame, nullptr, noSky);
 }

@@ -29,20 +29,26 @@ void ViewRecord::draw(osgUtil::CullVisitor& view, const WaterSurface& water,
 {
     CameraCapture& entry = captureFor(*view.getCurrentCamera());
     beginCull(entry, view);
-    const ReflectionSettings& settings = water.getReflection();
+    const auto settingsOf = [&](const WaterSurface& met) { return entry.settings.of(view, met); };
+    const ReflectionSettings settings = settingsOf(water);
     const auto take = [&](const CaptureEye& eye) -> Searched
     {
         const Taken& taken = takenFrom(entry, eye);
-        taken.capture->require(view, eye);
+        taken.capture->require(view, eye, settingsOf);
         if (settings.search != Search::HIERARCHICAL) return {*taken.capture, nullptr};
         taken.pyramid->require(*taken.capture);
         return {*taken.capture, taken.pyramid.get()};
     };
     std::vector<Searched> searched;
-    if (settings.capture != CaptureKind::MIRROR) searched.push_back(take(viewEye(view)));
-    if (settings.capture == CaptureKind::MIRROR || settings.capture == CaptureKind::VIEW_AND_MIRROR)
-        searched.push_back(take(mirroredEye(view, water, sheet)));
-    passFor(entry, water, sheet).draw(view, searched, *entry.trace, water, sheet);
+    bool mirror =
+        settings.capture == CaptureKind::MIRROR || settings.capture == CaptureKind::VIEW_AND_MIRROR;
+    if (settings.capture != CaptureKind::MIRROR)
+    {
+        searched.push_back(take(viewEye(view)));
+        if (ViewSettings::bandDecides(water) && searched[0].capture.bandServes()) mirror = false;
+    }
+    if (mirror) searched.push_back(take(mirroredEye(view, water, sheet)));
+    passFor(entry, water, sheet).draw(view, searched, *entry.trace, water, sheet, settings);
 }
 
 // The first water that a cull comes to finds none of the captures arranged. What the cull before
@@ -55,6 +61,7 @@ void ViewRecord::beginCull(CameraCapture& entry, osgUtil::CullVisitor& view)
         return;
     entry.taken.remove_if([&](const Taken& taken) { return taken.cull != entry.cull; });
     ++entry.cull;
+    entry.settings.begin();
 }
 
 // What this cull has taken already from that eye, or else what an earlier one took from any.
@@ -81,7 +88,7 @@ ViewRecord::CameraCapture& ViewRecord::captureFor(osg::Camera& camera)
     _captures.remove_if([](const CameraCapture& entry) { return !entry.camera.valid(); });
     for (CameraCapture& entry : _captures)
         if (entry.camera == &camera) return entry;
-    _captures.push_back({&camera, {}, new TracePass, {}});
+    _captures.push_back({&camera, {}, new TracePass, {}, {}});
     return _captures.back();
 }
 

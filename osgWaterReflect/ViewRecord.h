@@ -1,6 +1,7 @@
 #ifndef OSGWATERREFLECT_VIEWRECORD_H
 #define OSGWATERREFLECT_VIEWRECORD_H
 
+#include "ViewSettings.h"
 #include "capture/Capture.h"
 #include "pyramid/Pyramid.h"
 #include "trace/SheetPass.h"
@@ -72,6 +73,7 @@ private:
         std::list<Taken> taken;
         osg::ref_ptr<TracePass> trace; // its image is made when some water asks for it
         std::list<DrawnSheet> sheets;
+        ViewSettings settings;
         unsigned int cull = 0; // number of the cull that has come to some water last
     };
 

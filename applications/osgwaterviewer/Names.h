@@ -19,7 +19,8 @@ struct Named
 constexpr Named<osgWaterReflect::Search> SEARCHES[] = {
     {"sequential", osgWaterReflect::Search::SEQUENTIAL},
     {"binary", osgWaterReflect::Search::BINARY},
-    {"hierarchical", osgWaterReflect::Search::HIERARCHICAL}};
+    {"hierarchical", osgWaterReflect::Search::HIERARCHICAL},
+    {"automatic", osgWaterReflect::Search::AUTOMATIC}};
 
 constexpr Named<osgWaterReflect::WaterSurface::DebugView> DEBUG_VIEWS[] = {
     {"none", osgWaterReflect::WaterSurface::DebugView::NONE},

@@ -47,7 +47,7 @@ BandDemand::BandDemand(const std::vector<MetWater>& waters, const glm::dmat4& cl
 {
     for (const MetWater& met : waters)
     {
-        const ReflectionSettings& settings = met.water->getReflection();
+        const ReflectionSettings& settings = met.settings;
         if (settings.capture == CaptureKind::MIRROR) continue; // it is not looked for in this one
         _seesDrawnSky = _seesDrawnSky || !met.water->getSky();
         if (settings.guardBand == GuardBandKind::FIXED)
@@ -68,10 +68,21 @@ NdcExtent BandDemand::possible() const
     return unite(widenedBy(_fixedShare), intersect(_reflected, widenedBy(_maxExtraPixels)));
 }
 
+NdcExtent BandDemand::needed(const NdcExtent& scene) const
+{
+    return unite(NdcExtent(), intersect(_reflected, scene));
+}
+
+bool BandDemand::serves(const NdcExtent& scene, const glm::ivec2& viewSize) const
+{
+    bool cut = false;
+    bandFor(needed(scene), viewSize, _maxExtraPixels, &cut);
+    return !cut;
+}
+
 GuardBand BandDemand::band(const NdcExtent& scene, const glm::ivec2& viewSize) const
 {
-    const NdcExtent needed = unite(NdcExtent(), intersect(_reflected, scene));
-    const GuardBand adapted = bandFor(needed, viewSize, _maxExtraPixels);
+    const GuardBand adapted = bandFor(needed(scene), viewSize, _maxExtraPixels);
     // A fixed band is never cut down: with a whole side each, it has nine times the view's pixels.
     const GuardBand fixed = bandFor(widenedBy(_fixedShare), viewSize, 8.0);
     return {std::max(adapted.left, fixed.left), std::max(adapted.right, fixed.right),

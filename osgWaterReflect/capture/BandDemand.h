@@ -28,10 +28,15 @@ public:
     /// [pixels] What of it is captured where the scene reaches so far.
     GuardBand band(const NdcExtent& scene, const glm::ivec2& viewSize) const;
 
+    /// Whether an ADAPTIVE band reaches so far without being cut down.
+    bool serves(const NdcExtent& scene, const glm::ivec2& viewSize) const;
+
     /// [pixels] The widest and the tallest image that any band of these waters' settings makes.
     glm::ivec2 largestSize(const glm::ivec2& viewSize) const;
 
 private:
+    NdcExtent needed(const NdcExtent& scene) const;
+
     NdcExtent _reflected; // of ADAPTIVE bands
     double _fixedShare = 0.0;
     double _maxExtraPixels = 0.0;

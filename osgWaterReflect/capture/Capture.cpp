@@ -53,6 +53,18 @@ GLint colourFormat(const osg::Camera& camera)
     return GL_RGBA8;
 }
 
+// With the band that was asked for in place of the one that they are drawn with.
+std::vector<MetWater> asAsked(std::vector<MetWater> waters)
+{
+    for (MetWater& met : waters)
+    {
+        const ReflectionSettings& asked = met.water->getReflection();
+        met.settings.guardBand = asked.guardBand;
+        met.settings.maxExtraPixels = asked.maxExtraPixels;
+    }
+    return waters;
+}
+
 // [1] Of half the view's size: how much farther than needed is culled, so that a camera that turns
 // slowly does not have everything culled twice.
 const double CULL_MARGIN = 0.1;
@@ -105,14 +117,15 @@ bool Capture::isArranged(osgUtil::CullVisitor& view) const
                        [this](const auto& stage) { return stage.second == _stage; });
 }
 
-void Capture::require(osgUtil::CullVisitor& view, const CaptureEye& eye)
+void Capture::require(osgUtil::CullVisitor& view, const CaptureEye& eye,
+                      const SettingsOf& settingsOf)
 {
     if (isArranged(view)) return;
     ++_serial;
 
     const osg::ref_ptr<osg::RefMatrix> projection = new osg::RefMatrix;
     _mirrored = eye.floor.has_value();
-    cull(view, eye, *projection);
+    cull(view, eye, *projection, settingsOf);
     _projection = fromOsg(*projection);
     _clipFromEye = _projection * eye.eyeFromViewEye;
 
@@ -156,7 +169,7 @@ bool Capture::isCopyAskedFor() const
     bool asked = false;
     for (const MetWater& met : _visitor->waters())
     {
-        const CaptureKind kind = met.water->getReflection().capture;
+        const CaptureKind kind = met.settings.capture;
         if (kind == CaptureKind::VIEW || kind == CaptureKind::VIEW_AND_MIRROR) return false;
         asked = asked || kind == CaptureKind::FRAME;
     }
@@ -187,7 +200,8 @@ double Capture::highestWaves() const
 // How wide a capture must be is known only when its waters have been met. So it is culled somewhat
 // wider than the last frame's waters asked for, and once more where this frame's ask for more; what
 // is then drawn depends on this frame alone.
-void Capture::cull(osgUtil::CullVisitor& view, const CaptureEye& eye, osg::RefMatrix& projection)
+void Capture::cull(osgUtil::CullVisitor& view, const CaptureEye& eye, osg::RefMatrix& projection,
+                   const SettingsOf& settingsOf)
 {
     const osg::Viewport& viewport = *view.getViewport();
     const glm::ivec2 viewportSize(std::ceil(viewport.width()), std::ceil(viewport.height()));
@@ -201,9 +215,13 @@ void Capture::cull(osgUtil::CullVisitor& view, const CaptureEye& eye, osg::RefMa
         const osg::ref_ptr<osg::Viewport> wide = new osg::Viewport(0, 0, size.x, size.y);
         projection.set(toOsg(widened(clipFromEye, viewportSize, band)));
         _visitor->cull(view, *_stage, toOsg(eye.eyeFromViewEye), projection, *wide);
+        for (MetWater& met : _visitor->waters())
+            met.settings = settingsOf(*met.water);
         return _mirrored ? BandDemand({}, clipFromEye, time)
-                         : BandDemand(_visitor->waters(), clipFromEye, time);
+                         : BandDemand(asAsked(_visitor->waters()), clipFromEye, time);
     };
+    // The band as asked for, whatever is given up for time: whether it serves must not depend on
+    // it.
     BandDemand demand = cullWithin(_culled);
     if (!contains(_culled, demand.possible()))
     {
@@ -215,7 +233,9 @@ void Capture::cull(osgUtil::CullVisitor& view, const CaptureEye& eye, osg::RefMa
     const StageContent content = {*_stage, projection};
     NdcExtent scene;
     if (demand.adapts()) scene = content.seenThrough(clipFromEye, demand.seesDrawnSky());
-    _band = demand.band(scene, _viewSize);
+    _bandServes = demand.serves(scene, viewportSize);
+    const BandDemand given = _mirrored ? demand : BandDemand(_visitor->waters(), clipFromEye, time);
+    _band = given.band(scene, _viewSize);
     _size = widened(_viewSize, _band);
     glm::dmat4 wide = widened(clipFromEye, _viewSize, _band);
     for (int column = 0; column < 4; ++column)
@@ -226,7 +246,7 @@ void Capture::cull(osgUtil::CullVisitor& view, const CaptureEye& eye, osg::RefMa
     projection.set(toOsg(wide));
     _visitor->finish(*_stage);
     _culled = withMargin(demand.possible());
-    allocate(*view.getCurrentCamera(), demand);
+    allocate(*view.getCurrentCamera(), given);
 }
 
 // Of the view, in the capture's pixels.
@@ -234,7 +254,7 @@ glm::ivec2 Capture::scaledViewSize(const osg::Viewport& viewport) const
 {
     double scale = 0.0;
     for (const MetWater& met : _visitor->waters())
-        scale = std::max(scale, met.water->getReflection().captureScale);
+        scale = std::max(scale, met.settings.captureScale);
     if (scale == 0.0) scale = 1.0;
     return {std::max(1L, std::lround(scale * viewport.width())),
             std::max(1L, std::lround(scale * viewport.height()))};

@@ -14,6 +14,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
+#include <functional>
+
 namespace osgWaterReflect
 {
 
@@ -48,7 +50,9 @@ public:
     /// floor is drawn. Where all that look for their rays in it ask for CaptureKind::FRAME, only
     /// the band is rendered so, and the rest copied in the middle of the view's stage, before the
     /// water.
-    void require(osgUtil::CullVisitor& view, const CaptureEye& eye);
+    ///   settingsOf  what water is drawn with
+    using SettingsOf = std::function<ReflectionSettings(const WaterSurface& water)>;
+    void require(osgUtil::CullVisitor& view, const CaptureEye& eye, const SettingsOf& settingsOf);
 
     /// Whether it has been, in this cull.
     bool isArranged(osgUtil::CullVisitor& view) const;
@@ -68,6 +72,9 @@ public:
 
     /// What of that lies beyond the view.
     const GuardBand& band() const { return _band; }
+
+    /// Whether its ADAPTIVE band, were it as wide as was asked for, would not be cut down.
+    bool bandServes() const { return _bandServes; }
 
     /// From the view's eye space to the capture's own clip space, near and far as they were fitted.
     /// That of a mirrored eye turns left for right.
@@ -95,7 +102,8 @@ public:
     void resizeGLObjectBuffers(unsigned int maxSize);
 
 private:
-    void cull(osgUtil::CullVisitor& view, const CaptureEye& eye, osg::RefMatrix& projection);
+    void cull(osgUtil::CullVisitor& view, const CaptureEye& eye, osg::RefMatrix& projection,
+              const SettingsOf& settingsOf);
     glm::ivec2 scaledViewSize(const osg::Viewport& viewport) const;
     void allocate(const osg::Camera& camera, const BandDemand& demand);
     double highestWaves() const;
@@ -114,6 +122,7 @@ private:
     osg::ref_ptr<CaptureVisitor> _visitor;
     NdcExtent _culled; // what the last cull was widened to
     GuardBand _band;
+    bool _bandServes = true;
     glm::ivec2 _viewSize{0}; // [pixels of the capture]
     glm::ivec2 _size{0};     // the same with the band
     glm::ivec2 _capacity{0};

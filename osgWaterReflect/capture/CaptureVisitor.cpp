@@ -2,6 +2,8 @@
 
 #include "../Transforms.h"
 
+#include <osgWaterReflect/WaterSurface>
+
 #include <osg/Camera>
 
 #include <algorithm>
@@ -144,7 +146,7 @@ void CaptureVisitor::finish(osgUtil::RenderStage& stage)
 void CaptureVisitor::meet(const WaterSurface& water,
                           const std::vector<osg::ref_ptr<StillWater>>& sheets)
 {
-    _waters.push_back({&water, &sheets, fromOsg(*getModelViewMatrix())});
+    _waters.push_back({&water, &sheets, fromOsg(*getModelViewMatrix()), water.getReflection()});
 }
 
 // The view hands its matrices to shaders of the scene, which are to know of another eye.

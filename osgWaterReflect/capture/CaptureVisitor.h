@@ -1,6 +1,8 @@
 #ifndef OSGWATERREFLECT_CAPTURE_CAPTUREVISITOR_H
 #define OSGWATERREFLECT_CAPTURE_CAPTUREVISITOR_H
 
+#include <osgWaterReflect/ReflectionSettings>
+
 #include <osgUtil/CullVisitor>
 
 #include <glm/mat4x4.hpp>
@@ -19,6 +21,7 @@ struct MetWater
     const WaterSurface* water;
     const std::vector<osg::ref_ptr<StillWater>>* sheets;
     glm::dmat4 eyeFromLocal;
+    ReflectionSettings settings; ///< that it is drawn with; as asked for until they are settled
 };
 
 /// Culls the scene once more for a capture: with render stages, state and near and far planes of
@@ -44,7 +47,9 @@ public:
     void finish(osgUtil::RenderStage& stage);
 
     /// Water met by the last cull.
-    void meet(const WaterSurface& water, const std::vector<osg::ref_ptr<StillWater>>& sheets);
+    virtual void meet(const WaterSurface& water,
+                      const std::vector<osg::ref_ptr<StillWater>>& sheets);
+    std::vector<MetWater>& waters() { return _waters; }
     const std::vector<MetWater>& waters() const { return _waters; }
 
     using osgUtil::CullVisitor::apply;

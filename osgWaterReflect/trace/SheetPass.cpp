@@ -70,22 +70,21 @@ void SheetPass::setSearched(const Searched& searched, const std::string& name, u
     bindings::set(*_stateSet, name + bindings::FIRST_COLUMN, capture.isMirrored() ? 0.0f : 1.0f);
 }
 
-void SheetPass::setWater(const WaterSurface& water, Images images)
+void SheetPass::setWater(const WaterSurface& water, const ReflectionSettings& settings,
+                         Images images)
 {
     _stateSet->setAttributeAndModes(waterProgram(water.getWaves()), ON);
 
     osg::TextureCubeMap* sky = const_cast<osg::TextureCubeMap*>(water.getSky());
-    setVariant(*_stateSet, water.getReflection().search, images,
-               sky ? SkySource::CUBE_MAP : SkySource::CAPTURED, water.getDebugView(),
-               water.getReflection().traceScale < 1.0 ? Trace::SAMPLED : Trace::HERE);
+    setVariant(*_stateSet, settings.search, images, sky ? SkySource::CUBE_MAP : SkySource::CAPTURED,
+               water.getDebugView(), settings.traceScale < 1.0 ? Trace::SAMPLED : Trace::HERE);
     if (sky)
         _stateSet->setTextureAttribute(bindings::UNIT_SKY, sky, ON);
     else
         _stateSet->removeTextureAttribute(bindings::UNIT_SKY, osg::StateAttribute::TEXTURE);
 
-    bindings::set(*_stateSet, bindings::THICKNESS,
-                  static_cast<float>(water.getReflection().thickness));
-    bindings::set(*_stateSet, bindings::STRIDE, static_cast<float>(water.getReflection().stride));
+    bindings::set(*_stateSet, bindings::THICKNESS, static_cast<float>(settings.thickness));
+    bindings::set(*_stateSet, bindings::STRIDE, static_cast<float>(settings.stride));
     bindings::set(*_stateSet, bindings::REFRACTIVE_INDEX,
                   static_cast<float>(water.getOptics().refractiveIndex));
     bindings::set(*_stateSet, bindings::WATER_COLOUR, water.getOptics().waterColour);
@@ -136,7 +135,8 @@ void SheetPass::setTraced(const TracePass* trace)
 }
 
 void SheetPass::draw(osgUtil::CullVisitor& view, const std::vector<Searched>& searched,
-                     TracePass& trace, const WaterSurface& water, const StillWater& sheet)
+                     TracePass& trace, const WaterSurface& water, const StillWater& sheet,
+                     const ReflectionSettings& settings)
 {
     const WaveModel* waves = water.getWaves();
     const double amplitude = waves ? waves->getAmplitude() : 0.0;
@@ -160,14 +160,14 @@ void SheetPass::draw(osgUtil::CullVisitor& view, const std::vector<Searched>& se
             _stateSet->removeTextureAttribute(unit, osg::StateAttribute::TEXTURE);
     const osg::Vec4& clear = searched[0].capture.clearColour();
     bindings::set(*_stateSet, bindings::CLEAR_COLOUR, osg::Vec3(clear.r(), clear.g(), clear.b()));
-    setWater(water, images);
+    setWater(water, settings, images);
     setView(sheetView, fromOsg(*view.getCurrentRenderStage()->getInitialViewMatrix()), mesh.anchor,
             waves, time);
 
     const osg::BoundingBox bound = sheet.localBound(amplitude);
     view.updateCalculatedNearFar(*view.getModelViewMatrix(), bound);
     const osg::Matrixd eyeFromMesh = toOsg(eyeFromAnchor(sheetView, mesh.anchor));
-    const double traceScale = water.getReflection().traceScale;
+    const double traceScale = settings.traceScale;
     const bool sampled = traceScale < 1.0;
     setTraced(sampled ? &trace : nullptr);
     if (sampled)
@@ -175,7 +175,7 @@ void SheetPass::draw(osgUtil::CullVisitor& view, const std::vector<Searched>& se
         if (!_traceStateSet) _traceStateSet = new osg::StateSet;
         _traceStateSet->setAttributeAndModes(traceProgram(waves), ON);
         const bool counting = water.getDebugView() == WaterSurface::DebugView::HIT;
-        setVariant(*_traceStateSet, water.getReflection().search, images, SkySource::CAPTURED,
+        setVariant(*_traceStateSet, settings.search, images, SkySource::CAPTURED,
                    counting ? WaterSurface::DebugView::HIT : WaterSurface::DebugView::NONE,
                    Trace::HERE);
         trace.draw(view, traceScale, *_stateSet, *_traceStateSet, *mesh.geometry, eyeFromMesh);

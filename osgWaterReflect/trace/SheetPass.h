@@ -37,8 +37,10 @@ public:
     /// The view is at the water node in its traversal.
     ///   searched  in this order; one or two
     ///   trace     where its rays are traced first, with a traceScale below 1
+    ///   settings  nothing in them is AUTOMATIC
     void draw(osgUtil::CullVisitor& view, const std::vector<Searched>& searched, TracePass& trace,
-              const WaterSurface& water, const StillWater& sheet);
+              const WaterSurface& water, const StillWater& sheet,
+              const ReflectionSettings& settings);
 
     void releaseGLObjects(osg::State* state) const;
     void resizeGLObjectBuffers(unsigned int maxSize);
@@ -59,7 +61,7 @@ private:
     ///   name  of its uniforms
     ///   unit  of the first of its textures
     void setSearched(const Searched& searched, const std::string& name, unsigned int unit);
-    void setWater(const WaterSurface& water, Images images);
+    void setWater(const WaterSurface& water, const ReflectionSettings& settings, Images images);
     void setView(const SheetView& view, const glm::dmat4& eyeFromWorld, const glm::dvec2& anchor,
                  const WaveModel* waves, double time);
 

@@ -76,9 +76,9 @@ TEST_CASE("a scene that screen space shows wholly is measured as right")
 {
     const BenchScene scene = wallScene();
     Measurement measurement(scene, nullptr, SIZE);
-    const Accuracy own = measurement.measure(libraryMethod("default", {}));
+    const Accuracy own = measurement.measure(libraryMethod("default", searchOfView()));
     const Accuracy sky = measurement.measure(skyOnlyMethod());
-    const Accuracy again = measurement.measure(libraryMethod("default", {}));
+    const Accuracy again = measurement.measure(libraryMethod("default", searchOfView()));
 
     // One of 34 rows lies between the wall's last pixels and its edge, where none shows it.
     CHECK(own.measures.of(TrueClass::VISIBLE).percent(Outcome::CORRECT).value() > 97.0);

@@ -144,7 +144,7 @@ struct BenchView : OffscreenView
     template <class Check>
     int forEachRay(const Check& check)
     {
-        const Method library = libraryMethod("sequential", {});
+        const Method library = libraryMethod("sequential", searchOfView());
         const osg::ref_ptr<osg::Image> points = show(library, DebugView::POINT);
         const osg::ref_ptr<osg::Image> normals = show(library, DebugView::NORMAL);
         const osg::Matrixd worldFromEye = osg::Matrixd::inverse(camera().getViewMatrix());
@@ -305,7 +305,7 @@ TEST_CASE("what hangs ahead of the eye fills the paper's sky, and not the librar
         const Tally paper = view.compare(paperMethod());
         const Tally binary = view.compare(paperBinaryMethod());
         const Tally baseline = view.compare(baselineMethod());
-        const Tally library = view.compare(libraryMethod("sequential", {}));
+        const Tally library = view.compare(libraryMethod("sequential", searchOfView()));
         CHECK(paper.visible > 3000);
         CHECK(library.visibleRight >= 0.98 * library.visible);
         CHECK(library.skyFalse <= 0.005 * library.sky);
@@ -383,7 +383,8 @@ TEST_CASE("a mirrored image is bent the way that waves bend it")
     CHECK(bentBack.medianX > 1.2 * unbent.medianX);
     CHECK(bentBack.medianY > 1.2 * unbent.medianY);
     // Even so, waves are more than a bent image can show.
-    CHECK(view.compare(libraryMethod("sequential", {})).visibleRight > 1.8 * bent.visibleRight);
+    CHECK(view.compare(libraryMethod("sequential", searchOfView())).visibleRight >
+          1.8 * bent.visibleRight);
 }
 
 // Falls when a searching method's answer is that of the sky, or the other way round.
@@ -407,9 +408,12 @@ TEST_CASE("the sky alone is reflected where there is no search")
 TEST_CASE("methods alternate without paying for one another")
 {
     BenchView view(scenes::createBoxes());
-    const std::vector<Method> methods = {
-        libraryMethod("sequential", {}), paperMethod(),    skyOnlyMethod(),
-        mirrorMethod({0.1, true}),       baselineMethod(), paperBinaryMethod()};
+    const std::vector<Method> methods = {libraryMethod("sequential", searchOfView()),
+                                         paperMethod(),
+                                         skyOnlyMethod(),
+                                         mirrorMethod({0.1, true}),
+                                         baselineMethod(),
+                                         paperBinaryMethod()};
     std::vector<osg::observer_ptr<osg::Program>> programs;
     std::vector<osg::ref_ptr<osg::Image>> pictures;
     for (int round = 0; round < 2; ++round)

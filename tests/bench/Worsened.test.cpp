@@ -17,6 +17,7 @@ namespace
 Method sequentialMethod()
 {
     osgWaterReflect::ReflectionSettings settings;
+    settings.capture = osgWaterReflect::CaptureKind::VIEW;
     settings.search = osgWaterReflect::Search::SEQUENTIAL;
     return libraryMethod("sequential", settings);
 }

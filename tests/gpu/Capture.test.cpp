@@ -267,8 +267,8 @@ TEST_CASE("water that no view sees costs nothing")
     osg::ref_ptr<WaterSurface> lake = scenes::createLake();
     SECTION("behind the eye")
     {
-        lake = WaterSurface::createRectangle(osg::Vec3(0, -60, 0), osg::Vec3(10, 0, 0),
-                                             osg::Vec3(0, 10, 0));
+        lake = scenes::inView(WaterSurface::createRectangle(
+            osg::Vec3(0, -60, 0), osg::Vec3(10, 0, 0), osg::Vec3(0, 10, 0)));
     }
     SECTION("masked out")
     {
@@ -281,10 +281,10 @@ TEST_CASE("water that no view sees costs nothing")
     }
     SECTION("to the left and to the right of the view, though what bounds both is in it")
     {
-        lake = WaterSurface::createRectangle(osg::Vec3(-100, 50, 0), osg::Vec3(10, 0, 0),
-                                             osg::Vec3(0, 10, 0));
-        const osg::ref_ptr<WaterSurface> right = WaterSurface::createRectangle(
-            osg::Vec3(100, 50, 0), osg::Vec3(10, 0, 0), osg::Vec3(0, 10, 0));
+        lake = scenes::inView(WaterSurface::createRectangle(
+            osg::Vec3(-100, 50, 0), osg::Vec3(10, 0, 0), osg::Vec3(0, 10, 0)));
+        const osg::ref_ptr<WaterSurface> right = scenes::inView(WaterSurface::createRectangle(
+            osg::Vec3(100, 50, 0), osg::Vec3(10, 0, 0), osg::Vec3(0, 10, 0)));
         lake->addDrawable(right->getDrawable(0));
     }
     view.render(scenes::together({harbour, lake}));

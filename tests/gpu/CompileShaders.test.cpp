@@ -101,8 +101,7 @@ TEST_CASE("after CompileShaders no variant of the water is compiled at its first
         const ListenToLinks links;
         view.viewer().realize();
         // 2 waves, 1 or 2 captures, and of these 2 skies of the water, 2 of what samples the small
-        // image, 1 for that; 3 of the pyramid, 1 of a mirrored capture, 1 of a
-        // copied frame.
+        // image, 1 for that; 3 of the pyramid, 1 of a mirrored capture, 1 of a copied frame.
         CHECK(links.count() == 25);
     }
     CHECK(compile->getNumCompiled() == 20);

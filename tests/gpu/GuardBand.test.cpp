@@ -168,7 +168,7 @@ TEST_CASE("whatever water is met first, and after a cut, the first frame is as t
     const osg::ref_ptr<osg::Group> boxes = scenes::createBoxes();
     const osg::ref_ptr<WaterSurface> water = scenes::createBoxesWater();
     // Level with the eye nearly: it needs next to nothing.
-    const osg::ref_ptr<WaterSurface> pond = createPond(1.9, 0.5);
+    const osg::ref_ptr<WaterSurface> pond = scenes::inView(createPond(1.9, 0.5));
     osg::ref_ptr<osg::Group> scene;
     SECTION("a level pond first")
     {

@@ -24,6 +24,7 @@ osg::ref_ptr<WaterSurface> createWater(Search search)
 {
     osg::ref_ptr<WaterSurface> water = scenes::createBoxesWater();
     ReflectionSettings settings;
+    settings.capture = osgWaterReflect::CaptureKind::VIEW;
     settings.search = search;
     REQUIRE(water->setReflection(settings));
     return water;

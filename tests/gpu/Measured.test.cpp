@@ -160,6 +160,7 @@ TEST_CASE("the place that a water pixel shows is put out, and what it cost")
 {
     MeasuredView view;
     ReflectionSettings settings;
+    settings.capture = osgWaterReflect::CaptureKind::VIEW;
     settings.search = Search::SEQUENTIAL;
     REQUIRE(view.water->setReflection(settings));
     const osg::ref_ptr<CapturedImages> captured = CapturedImages::of(view.camera());

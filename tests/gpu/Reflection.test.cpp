@@ -76,8 +76,8 @@ TEST_CASE("tilted calm water shows what the eye mirrored in it sees")
             const osg::Vec3d along(0, std::cos(angle), std::sin(angle));
             const osg::Vec3d normal(0, -std::sin(angle), std::cos(angle));
             const osg::Vec3d centre = along * 20.0;
-            const osg::ref_ptr<WaterSurface> water = WaterSurface::createRectangle(
-                centre, osg::Vec3(200, 0, 0), osg::Vec3(along * 120.0));
+            const osg::ref_ptr<WaterSurface> water = scenes::inView(WaterSurface::createRectangle(
+                centre, osg::Vec3(200, 0, 0), osg::Vec3(along * 120.0)));
             checkAgainstMirror(compareWithMirror(*scenes::createBoxes(), *water,
                                                  osg::Plane(normal, centre), pitched(3.0, 8.6),
                                                  degrees < 0 ? "tilted down" : "tilted up"));
@@ -92,8 +92,8 @@ TEST_CASE("straight down nothing is hit, for the right reason, without a seam")
 {
     const osg::ref_ptr<osg::Group> scene = new osg::Group;
     scene->addChild(new osg::ShapeDrawable(new osg::Box(osg::Vec3(0, 0, -4), 100, 100, 1)));
-    const osg::ref_ptr<WaterSurface> water =
-        WaterSurface::createRectangle(osg::Vec3(), osg::Vec3(200, 0, 0), osg::Vec3(0, 200, 0));
+    const osg::ref_ptr<WaterSurface> water = scenes::inView(
+        WaterSurface::createRectangle(osg::Vec3(), osg::Vec3(200, 0, 0), osg::Vec3(0, 200, 0)));
     scene->addChild(scenes::withoutBand(water));
 
     const int size = 201;
@@ -149,6 +149,7 @@ TEST_CASE("binary search finds most of what sequential search finds, and invents
 {
     const osg::ref_ptr<WaterSurface> water = scenes::createBoxesWater();
     ReflectionSettings settings;
+    settings.capture = osgWaterReflect::CaptureKind::VIEW;
     settings.search = Search::BINARY;
     REQUIRE(water->setReflection(settings));
     const MirrorComparison result = compareWithMirror(
@@ -165,6 +166,7 @@ TEST_CASE("every fourth column is enough for what is wider, away from edges")
 {
     const osg::ref_ptr<WaterSurface> water = scenes::createBoxesWater();
     ReflectionSettings settings;
+    settings.capture = osgWaterReflect::CaptureKind::VIEW;
     settings.search = Search::SEQUENTIAL;
     settings.stride = 4;
     REQUIRE(water->setReflection(settings));

@@ -11,6 +11,8 @@
 
 #include <cmath>
 
+using osgWaterReflect::CaptureKind;
+using osgWaterReflect::GuardBandKind;
 using osgWaterReflect::WaterSurface;
 
 namespace
@@ -180,7 +182,8 @@ TEST_CASE("light space perspective shadow maps neither crash nor hang beside wat
     CHECK(different < 160 * 120 / 10);
 }
 
-// What a second cull does not give, the frame itself has.
+// What a second cull does not give, the frame itself has. Breaks where WaterFinder does not know
+// the technique.
 TEST_CASE("a frame with light space perspective shadow maps is reflected with its own shadows")
 {
     SunView view;
@@ -188,25 +191,27 @@ TEST_CASE("a frame with light space perspective shadow maps is reflected with it
     const osg::ref_ptr<osgShadow::ShadowedScene> shadowed =
         createShadowedScene("LightSpacePerspectiveShadowMapVB");
     shadowed->addChild(sunlit);
-    const osg::ref_ptr<WaterSurface> lake = scenes::withoutBand(scenes::createLake());
+    const osg::ref_ptr<WaterSurface> lake = scenes::createLake();
     lake->setNodeMask(~0u & ~CASTS);
-    osgWaterReflect::ReflectionSettings settings = lake->getReflection();
-    settings.capture = osgWaterReflect::CaptureKind::FRAME;
-    REQUIRE(lake->setReflection(settings));
+    osgWaterReflect::ReflectionSettings asked; // automatic
+    SECTION("asked for")
+    {
+        asked.capture = CaptureKind::FRAME;
+        asked.guardBand = GuardBandKind::NONE;
+    }
+    SECTION("by itself") {}
+    REQUIRE(lake->setReflection(asked));
     const osg::ref_ptr<osg::Image> withStandIn =
         copyOf(view.render(scenes::together({sunlit, scenes::createStandIn()})));
     const osg::ref_ptr<osg::Group> root = scenes::together({shadowed});
-    SECTION("with water inside")
-    {
+    if (GENERATE(true, false))
         shadowed->addChild(lake);
-    }
-    SECTION("with water beside it, met first")
-    {
-        root->insertChild(0, lake);
-    }
+    else
+        root->insertChild(0, lake); // beside it, met first
     for (int i = 0; i < 3; ++i)
     {
         const osg::Image& frame = view.render(root);
+        REQUIRE(view.captured->one().colour->t() == 120); // no band
         CHECK(scenes::countDifferentOutsideStandIn(*withStandIn, frame,
                                                    *view.captured->one().colour) == 0);
     }

@@ -2,6 +2,7 @@
 
 #include "support/Catch.h"
 #include "support/OffscreenView.h"
+#include "support/Scenes.h"
 
 #include <osgWaterReflect/TrochoidalWaves>
 #include <osgWaterReflect/WaterSurface>
@@ -34,8 +35,8 @@ TEST_CASE("a crest that rises into the view is drawn, though the still water is 
     wave.phase = osg::PI;
     osg::ref_ptr<TrochoidalWaves> waves = new TrochoidalWaves;
     REQUIRE(waves->setWaves({wave}));
-    osg::ref_ptr<WaterSurface> water = WaterSurface::createRectangle(
-        osg::Vec3(0, 32, 0), osg::Vec3(60, 0, 0), osg::Vec3(0, 60, 0));
+    osg::ref_ptr<WaterSurface> water = scenes::inView(WaterSurface::createRectangle(
+        osg::Vec3(0, 32, 0), osg::Vec3(60, 0, 0), osg::Vec3(0, 60, 0)));
     WaterOptics optics;
     optics.waterColour.set(1, 0, 0);
     REQUIRE(water->setOptics(optics));

@@ -1,6 +1,7 @@
 // The waves on the GPU, in single precision, against the same waves on the CPU.
 
 #include "support/Catch.h"
+#include "support/Scenes.h"
 #include "support/ShaderProbe.h"
 
 #include <osgWaterReflect/TrochoidalSum.h>
@@ -273,8 +274,8 @@ double roughness(const osg::Image& image, int row)
 TEST_CASE("far water is smooth, and does not flicker")
 {
     osg::ref_ptr<osg::Group> root = new osg::Group;
-    osg::ref_ptr<WaterSurface> water =
-        WaterSurface::createRectangle(osg::Vec3(), osg::Vec3(2000, 0, 0), osg::Vec3(0, 2000, 0));
+    osg::ref_ptr<WaterSurface> water = scenes::inView(
+        WaterSurface::createRectangle(osg::Vec3(), osg::Vec3(2000, 0, 0), osg::Vec3(0, 2000, 0)));
     osg::ref_ptr<TrochoidalWaves> waves = TrochoidalWaves::createBreeze(1.0, 0.15, 60.0);
     water->setWaves(waves);
     water->setSky(gradientSky());

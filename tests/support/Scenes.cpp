@@ -58,10 +58,18 @@ osg::ref_ptr<osg::Group> scenes::createHarbour()
     return harbour;
 }
 
+osg::ref_ptr<WaterSurface> scenes::inView(const osg::ref_ptr<WaterSurface>& water)
+{
+    osgWaterReflect::ReflectionSettings settings = water->getReflection();
+    settings.capture = osgWaterReflect::CaptureKind::VIEW;
+    water->setReflection(settings);
+    return water;
+}
+
 osg::ref_ptr<WaterSurface> scenes::createLake(double level, double size)
 {
-    return WaterSurface::createRectangle(osg::Vec3(0, 0, level), osg::Vec3(size, 0, 0),
-                                         osg::Vec3(0, size, 0));
+    return inView(WaterSurface::createRectangle(osg::Vec3(0, 0, level), osg::Vec3(size, 0, 0),
+                                                osg::Vec3(0, size, 0)));
 }
 
 osg::ref_ptr<WaterSurface> scenes::withoutBand(const osg::ref_ptr<WaterSurface>& water)
@@ -95,8 +103,8 @@ osg::ref_ptr<osg::Group> scenes::createBoxes()
 
 osg::ref_ptr<WaterSurface> scenes::createBoxesWater()
 {
-    return WaterSurface::createRectangle(osg::Vec3(0, 20, 0), osg::Vec3(200, 0, 0),
-                                         osg::Vec3(0, 200, 0));
+    return inView(WaterSurface::createRectangle(osg::Vec3(0, 20, 0), osg::Vec3(200, 0, 0),
+                                                osg::Vec3(0, 200, 0)));
 }
 
 osg::ref_ptr<osg::Node> scenes::createStandIn()

@@ -19,7 +19,12 @@ osg::ref_ptr<osg::Group> createHarbour();
 const osg::Vec3d HARBOUR_EYE(1.0, -14.0, 3.5);
 const osg::Vec3d HARBOUR_CENTRE(0.0, 0.0, 0.5);
 
-/// Calm square water about the origin.
+/// The same water, reflecting what its rays hit in the view's own image: as the tests of the search
+/// and of that capture ask for, which leave nothing to the library's choice.
+osg::ref_ptr<osgWaterReflect::WaterSurface>
+inView(const osg::ref_ptr<osgWaterReflect::WaterSurface>& water);
+
+/// Calm square water about the origin, inView().
 osg::ref_ptr<osgWaterReflect::WaterSurface> createLake(double level = 0.0, double size = 60.0);
 
 /// The same water, its captures no wider than the view.
@@ -29,7 +34,7 @@ withoutBand(const osg::ref_ptr<osgWaterReflect::WaterSurface>& water);
 /// Boxes that stand in the water, near and far along +y, and one that hangs over it.
 osg::ref_ptr<osg::Group> createBoxes();
 
-/// Calm level water below the boxes, farther than they reach.
+/// Calm level water below the boxes, farther than they reach, inView().
 osg::ref_ptr<osgWaterReflect::WaterSurface> createBoxesWater();
 
 /// A plain magenta rectangle where createLake() has water: a picture with it tells which pixels

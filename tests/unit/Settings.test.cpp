@@ -71,12 +71,14 @@ TEST_CASE("reflection settings out of range are refused, by name, and the old on
 {
     checkMember<ReflectionSettings, Search>(
         "ReflectionSettings::search", &ReflectionSettings::search,
-        {static_cast<Search>(0), static_cast<Search>(4), static_cast<Search>(-1)},
-        {Search::BINARY, Search::SEQUENTIAL, Search::HIERARCHICAL}, setReflection, getReflection);
+        {static_cast<Search>(0), static_cast<Search>(5), static_cast<Search>(-1)},
+        {Search::BINARY, Search::SEQUENTIAL, Search::HIERARCHICAL, Search::AUTOMATIC},
+        setReflection, getReflection);
     checkMember<ReflectionSettings, CaptureKind>(
         "ReflectionSettings::capture", &ReflectionSettings::capture,
-        {static_cast<CaptureKind>(0), static_cast<CaptureKind>(5), static_cast<CaptureKind>(-1)},
-        {CaptureKind::VIEW, CaptureKind::FRAME, CaptureKind::MIRROR, CaptureKind::VIEW_AND_MIRROR},
+        {static_cast<CaptureKind>(0), static_cast<CaptureKind>(6), static_cast<CaptureKind>(-1)},
+        {CaptureKind::VIEW, CaptureKind::FRAME, CaptureKind::MIRROR, CaptureKind::VIEW_AND_MIRROR,
+         CaptureKind::AUTOMATIC},
         setReflection, getReflection);
     checkMember<ReflectionSettings, double>(
         "ReflectionSettings::thickness", &ReflectionSettings::thickness,
@@ -103,6 +105,9 @@ TEST_CASE("reflection settings out of range are refused, by name, and the old on
     checkMember<ReflectionSettings, double>(
         "ReflectionSettings::traceScale", &ReflectionSettings::traceScale,
         {0.0, -1.0, 1.0000001, NaN, INF, -INF}, {TINY, 0.5, 1.0}, setReflection, getReflection);
+    checkMember<ReflectionSettings, double>(
+        "ReflectionSettings::frameTimeTarget", &ReflectionSettings::frameTimeTarget,
+        {-TINY, -1.0, NaN, INF, -INF}, {0.0, TINY, 16.7, 1e9}, setReflection, getReflection);
 }
 
 TEST_CASE("optics out of range are refused, by name, and the old ones stay")
@@ -148,6 +153,7 @@ TEST_CASE("a copy of a water surface has every option of the original")
     reflection.maxExtraPixels = 0.5;
     reflection.guardBandShare = 0.125;
     reflection.traceScale = 0.5;
+    reflection.frameTimeTarget = 16.0;
     REQUIRE(water->setReflection(reflection));
     WaterOptics optics;
     optics.refractiveIndex = 1.4;

@@ -21,7 +21,10 @@ namespace
 class Settings
 {
 public:
-    Settings(const std::string& name, Search search) : _name(name) { _settings.search = search; }
+    Settings(const std::string& name, Search search) : _name(name), _settings(searchOfView())
+    {
+        _settings.search = search;
+    }
 
     Method method() const { return libraryMethod(_name, _settings); }
     Method withThickness(double thickness) const

@@ -27,8 +27,7 @@ std::vector<Method> methods()
 {
     const auto settings = [](CaptureKind capture, GuardBandKind guardBand)
     {
-        ReflectionSettings settings;
-        settings.search = Search::HIERARCHICAL;
+        ReflectionSettings settings = searchOfView();
         settings.capture = capture;
         settings.guardBand = guardBand;
         return settings;

@@ -14,7 +14,7 @@ Measurement::Measurement(const BenchScene& scene, osgWaterReflect::WaveModel* wa
     _view(scene, size, BenchView::Purpose::MEASURE),
     _waves(waves), _tracer(*scene.scene)
 {
-    const Method own = libraryMethod("default", {});
+    const Method own = libraryMethod("default", searchOfView());
     _view.setWaves(waves);
     _view.setMethod(own);
     _drawn = readDrawnWater(_view);

@@ -93,7 +93,7 @@ bool osgwaterbench::runRivals(const ExperimentOptions& options)
             if (slope > 0.0 && !waves) return false;
 
             Measurement measurement(*scene, waves, options.size);
-            const Method own = libraryMethod("hierarchical", {});
+            const Method own = libraryMethod("hierarchical", searchOfView());
             const Method mirror = bestMirror(measurement);
             const std::vector<Method> rivals = {own, paperMethod(), paperBinaryMethod(), mirror,
                                                 skyOnlyMethod()};

@@ -12,6 +12,7 @@ Method replacingTrace(const std::string& name, const std::string& file,
 {
     Method method;
     method.name = name;
+    method.settings.capture = osgWaterReflect::CaptureKind::VIEW;
     method.settings.search = osgWaterReflect::Search::SEQUENTIAL; // which needs no pyramid
     method.settings.guardBand = osgWaterReflect::GuardBandKind::NONE;
     method.pieces["reflection.glsl"] = benchShaders.at(file);
@@ -23,6 +24,14 @@ Method replacingTrace(const std::string& name, const std::string& file,
 }
 
 } // namespace
+
+osgWaterReflect::ReflectionSettings osgwaterbench::searchOfView()
+{
+    osgWaterReflect::ReflectionSettings settings;
+    settings.search = osgWaterReflect::Search::HIERARCHICAL;
+    settings.capture = osgWaterReflect::CaptureKind::VIEW;
+    return settings;
+}
 
 Method osgwaterbench::libraryMethod(const std::string& name,
                                     const osgWaterReflect::ReflectionSettings& settings)

@@ -30,6 +30,10 @@ struct Method
     bool usesCapture = true;                   ///< else the scene is kept out of it
 };
 
+/// The library's default settings, but for what is AUTOMATIC: the hierarchical search in the view's
+/// own image, in every view.
+osgWaterReflect::ReflectionSettings searchOfView();
+
 /// The library's own, with any settings.
 Method libraryMethod(const std::string& name, const osgWaterReflect::ReflectionSettings& settings);
 

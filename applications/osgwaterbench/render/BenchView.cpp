@@ -99,6 +99,7 @@ BenchView::BenchView(const BenchScene& scene, const glm::ivec2& size, Purpose pu
 
     const GLint mirrorFormat = purpose == Purpose::MEASURE ? GL_RGBA32F_ARB : GL_RGBA8;
     _bed.water = scene.water;
+    _bed.water->setReflection(searchOfView()); // until a method is set
     _bed.scene = new osg::Group;
     _bed.scene->addChild(scene.scene);
     _bed.mirror = new MirrorCamera(size.x, size.y, mirrorFormat);
@@ -183,15 +184,19 @@ void BenchView::watchImages()
 {
     auto& renderer = dynamic_cast<osgViewer::Renderer&>(*_viewer.getCamera()->getRenderer());
     osgUtil::RenderStage& viewStage = *renderer.getSceneView(0)->getRenderStage();
-    const auto watch = [this](osgUtil::RenderStage& image)
+    const auto isTrace = [](const osgUtil::RenderStage& stage)
+    { return stage.getCamera()->getName() == TracePass::CAMERA_NAME; };
+    const auto watch = [&](osgUtil::RenderStage& image)
     {
-        osg::Camera& camera = *image.getCamera();
-        if (camera.getName() == TracePass::CAMERA_NAME)
-            _clock->watchTrace(camera);
+        if (isTrace(image))
+            _clock->watchTrace(*image.getCamera());
         else
-            _clock->watchImage(camera);
+            _clock->watchImage(*image.getCamera());
         for (const auto& after : image.getPostRenderList())
-            _clock->watchPyramid(*after.second->getCamera());
+            if (isTrace(*after.second))
+                _clock->watchTrace(*after.second->getCamera());
+            else
+                _clock->watchPyramid(*after.second->getCamera());
     };
     for (const auto& before : viewStage.getPreRenderList())
         watch(*before.second);

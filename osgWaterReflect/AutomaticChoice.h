@@ -1,0 +1,32 @@
+#ifndef OSGWATERREFLECT_AUTOMATICCHOICE_H
+#define OSGWATERREFLECT_AUTOMATICCHOICE_H
+
+#include <osgWaterReflect/ReflectionSettings>
+
+namespace osgWaterReflect
+{
+
+/// What a view shows of the waters that leave the kind of their capture to it.
+struct ViewFacts
+{
+    bool calm = true;         ///< all of them
+    int planes = 1;           ///< that they lie in
+    bool bandServes = true;   ///< the guard band reaches as far as they reflect, under its ceiling
+    bool redrawsAlike = true; ///< the scene drawn once more has the same shadows
+};
+
+/// Settings without AUTOMATIC; whatever else was asked for stays.
+///
+/// | capture | where |
+/// |---|---|
+/// | FRAME, without a guard band | the scene drawn once more would have other shadows |
+/// | MIRROR | all are calm and in one plane: it is exact, undersides included |
+/// | VIEW_AND_MIRROR | in one plane, but the ceiling cuts the band down: steep views, high waves |
+/// | VIEW | elsewhere: one drawing of the scene for all planes |
+///
+/// The search is HIERARCHICAL, in captures of any size.
+ReflectionSettings settle(const ReflectionSettings& asked, const ViewFacts& facts);
+
+} // namespace osgWaterReflect
+
+#endif
