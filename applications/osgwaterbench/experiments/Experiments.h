@@ -40,6 +40,7 @@ bool runAccuracy(const ExperimentOptions& options);
 bool runRivals(const ExperimentOptions& options);
 bool runScaling(const ExperimentOptions& options);
 bool runBorders(const ExperimentOptions& options);
+bool runAdded(const ExperimentOptions& options);
 
 inline const Experiment EXPERIMENTS[] = {
     {"table1", "frames a second at the paper's four sizes, by search", runTable1},
@@ -47,6 +48,7 @@ inline const Experiment EXPERIMENTS[] = {
     {"rivals", "a sky cube map only, a mirrored camera, the paper's method, and ours", runRivals},
     {"scaling", "time against triangles, waters, outlines and pixels", runScaling},
     {"borders", "captures and guard bands against the plainest search, at two sizes", runBorders},
+    {"added", "what water adds to a frame, by capture, over a mirrored camera", runAdded},
 };
 
 } // namespace osgwaterbench
