@@ -88,10 +88,13 @@ vec3 colourAmidEdges(Capture capture, ImageRay ray, TraceResult hit)
     return sum.a > 0.0 ? sum.rgb / sum.a : closest;
 }
 
-vec3 hitColour(Capture capture, Sighting hit)
+// Colour of what a search has come to: at a hit mixed of the pixels about it, else its pixel's own.
+vec3 shownColour(Capture capture, Sighting sighting, vec2 window)
 {
-    return hit.result.smoothAbout ? capturedColour(capture, hit.result.window.xy)
-                                  : colourAmidEdges(capture, hit.ray, hit.result);
+    bool hit = sighting.result.reason == REASON_HIT;
+    bool smoothHit = hit && sighting.result.smoothAbout;
+    vec3 colour = capturedColour(capture, smoothHit ? window : floor(window) + 0.5);
+    return hit && !smoothHit ? colourAmidEdges(capture, sighting.ray, sighting.result) : colour;
 }
 
 // Share of a surface at the image's border in what is shown of a ray that has left the image there:
@@ -128,8 +131,7 @@ Reflection traceReflection(vec3 originEye, vec3 dirEye)
                 : leftImage(result.reason) ? borderShare(eyeCapture, ray)
                 : 0.0;
     vec2 shown = hit || hiddenClosely ? result.window.xy : ray.end.xy;
-    vec3 colour = hit ? hitColour(eyeCapture, sighting)
-                      : capturedColour(eyeCapture, floor(shown) + 0.5);
+    vec3 colour = shownColour(eyeCapture, sighting, shown);
 
     Reflection reflection;
     reflection.colour = mix(skyColour(eyeCapture, ray, dirEye), colour, share);
@@ -143,7 +145,7 @@ Reflection traceReflection(vec3 originEye, vec3 dirEye)
         Sighting mirrored = sightingOf(mirrorCapture, true, originEye, dirEye);
         if (mirrored.result.reason == REASON_HIT)
         {
-            reflection.colour = hitColour(mirrorCapture, mirrored);
+            reflection.colour = shownColour(mirrorCapture, mirrored, mirrored.result.window.xy);
             reflection.reason = REASON_HIT;
             reflection.window = mirrored.result.window.xy;
             reflection.mirrored = true;
