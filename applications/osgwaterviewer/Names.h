@@ -22,6 +22,18 @@ constexpr Named<osgWaterReflect::Search> SEARCHES[] = {
     {"hierarchical", osgWaterReflect::Search::HIERARCHICAL},
     {"automatic", osgWaterReflect::Search::AUTOMATIC}};
 
+constexpr Named<osgWaterReflect::CaptureKind> CAPTURES[] = {
+    {"view", osgWaterReflect::CaptureKind::VIEW},
+    {"frame", osgWaterReflect::CaptureKind::FRAME},
+    {"mirror", osgWaterReflect::CaptureKind::MIRROR},
+    {"view-and-mirror", osgWaterReflect::CaptureKind::VIEW_AND_MIRROR},
+    {"automatic", osgWaterReflect::CaptureKind::AUTOMATIC}};
+
+constexpr Named<osgWaterReflect::GuardBandKind> GUARD_BANDS[] = {
+    {"none", osgWaterReflect::GuardBandKind::NONE},
+    {"adaptive", osgWaterReflect::GuardBandKind::ADAPTIVE},
+    {"fixed", osgWaterReflect::GuardBandKind::FIXED}};
+
 constexpr Named<osgWaterReflect::WaterSurface::DebugView> DEBUG_VIEWS[] = {
     {"none", osgWaterReflect::WaterSurface::DebugView::NONE},
     {"reason", osgWaterReflect::WaterSurface::DebugView::REASON},

@@ -93,6 +93,10 @@ void readReflection(OptionReader& reader, WaterLook& look)
 {
     osgWaterReflect::ReflectionSettings& reflection = look.reflection;
     reader.readName("--search", "How reflected rays are looked for.", SEARCHES, reflection.search);
+    reader.readName("--capture", "The image that they are looked for in.", CAPTURES,
+                    reflection.capture);
+    reader.readName("--guard-band", "How far that reaches beyond the picture's borders.",
+                    GUARD_BANDS, reflection.guardBand);
     look.thicknessGiven = reader.readNumber(
         "--thickness", "LENGTH",
         "How far behind a visible surface still counts as inside it, in world units. The default " +
@@ -109,6 +113,9 @@ void readReflection(OptionReader& reader, WaterLook& look)
         "Size of the image that rays are searched for in first over the view's, above "
         "0, up to 1.",
         reflection.traceScale);
+    reader.readNumber("--frame-time", "MILLISECONDS",
+                      "Give up accuracy step by step where frames take longer; 0: never.",
+                      reflection.frameTimeTarget);
 }
 
 void readOptics(OptionReader& reader, osgWaterReflect::WaterOptics& optics)

@@ -58,7 +58,8 @@ help()
 {
     "$viewer" --help > help.txt || fail "expected exit status 0, got $?"
     for option in --help --help-env --help-keys --help-all --water --sky --no-sky --camera --fovy \
-        --search --thickness --stride --capture-scale --refractive-index --water-colour \
+        --search --capture --guard-band --thickness --stride --capture-scale --trace-scale \
+        --frame-time --refractive-index --water-colour \
         --max-edge-pixels --max-vertices --debug-view --offscreen --size --time --frames --waves \
         --wave-length --wave-direction -p
     do
@@ -80,6 +81,8 @@ wrong_options()
     refused --sky --sky --no-sky
     refused --no-sky --sky "$data/sky" --no-sky
     refused --search --search nearest
+    refused --capture --capture view_and_mirror
+    refused --guard-band --guard-band wide
     refused --debug-view --debug-view 2
     refused --size --size 96x72
     refused --time --time 1
@@ -115,6 +118,8 @@ wrong_ranges()
     refused stride --stride 65
     refused thickness --thickness -1
     refused captureScale --capture-scale 1.5
+    refused traceScale --trace-scale 0
+    refused frameTimeTarget --frame-time -1
     refused refractiveIndex --refractive-index 0.9
     refused waterColour --water-colour 0,2,0
     refused maxEdgePixels --max-edge-pixels 0
