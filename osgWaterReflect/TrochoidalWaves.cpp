@@ -32,6 +32,19 @@ int newtonSteps(double steepness)
     return steepness <= 0.99 ? 4 : 8;
 }
 
+// How far a sine of amplitude 1 strays from chords over an angle [rad]: twice the mean square. It
+// is the integral of |exp(i s angle) - (1 - s) - s exp(i angle)|^2 over s from 0 to 1, s being the
+// part of the chord that has been gone.
+double strayFromChords(double angle)
+{
+    // Below, the closed form would lose its digits; the series leaves out a 10^7th of it here.
+    const double smallAngle = 0.1;
+    const double squared = angle * angle;
+    if (angle < smallAngle) return squared * squared * (1.0 / 120.0 - squared * (11.0 / 30240.0));
+    const double cosine = std::cos(angle);
+    return 5.0 / 3.0 + cosine / 3.0 - 4.0 * (1.0 - cosine) / squared;
+}
+
 } // namespace
 
 TrochoidalWaves::TrochoidalWaves(const TrochoidalWaves& rhs, const osg::CopyOp& copyop) :
@@ -137,6 +150,15 @@ double TrochoidalWaves::getShortestLength() const
     for (const TrochoidalWave& wave : _waves)
         if (wave.amplitude > 0.0) shortest = std::min(shortest, wave.length);
     return shortest;
+}
+
+// Waves of different wave vectors are uncorrelated.
+double TrochoidalWaves::getChordError(double length) const
+{
+    double sum = 0.0;
+    for (const TrochoidalWave& wave : _waves)
+        sum += 0.5 * wave.amplitude * wave.amplitude * strayFromChords(waveNumber(wave) * length);
+    return std::sqrt(sum);
 }
 
 void TrochoidalWaves::apply(osg::StateSet& stateSet, const osg::Vec2d& anchor, double time) const

@@ -266,6 +266,62 @@ TEST_CASE("the surface moves without jumps")
         }
 }
 
+namespace
+{
+
+// Root of the mean square of how far a surface strays from its chords of a length, from random
+// places in random directions within a half angle [rad] about x.
+double sampledChordError(const TrochoidalWaves& waves, double length, double halfAngle)
+{
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> anywhere(-1000.0, 1000.0);
+    std::uniform_real_distribution<double> anyAngle(-halfAngle, halfAngle);
+    std::uniform_real_distribution<double> anyPart(0.0, 1.0);
+    const int count = 20000;
+    double sum = 0.0;
+    for (int i = 0; i < count; ++i)
+    {
+        const double angle = anyAngle(random);
+        const osg::Vec2d start(anywhere(random), anywhere(random));
+        const osg::Vec2d edge(length * std::cos(angle), length * std::sin(angle));
+        const double part = anyPart(random);
+        const double chord =
+            (1.0 - part) * waves.getHeight(start, 0.0) + part * waves.getHeight(start + edge, 0.0);
+        const double off = waves.getHeight(start + edge * part, 0.0) - chord;
+        sum += off * off;
+    }
+    return std::sqrt(sum / count);
+}
+
+} // namespace
+
+// Falls when strayFromChords has another constant.
+TEST_CASE("waves stray from straight edges as far as they say")
+{
+    const double lengths[] = {0.02, 0.1, 0.3, 0.7, 1.5, 4.0, 11.0, 100.0};
+    std::vector<TrochoidalWave> list;
+    for (int i = 0; i < 5; ++i)
+        list.push_back(wave(0.001 * std::pow(0.8, i), 2.0 * std::pow(0.77, i), 0.0, i));
+    const osg::ref_ptr<TrochoidalWaves> along = wavesOf(list);
+    const osg::ref_ptr<TrochoidalWaves> breeze = TrochoidalWaves::createBreeze(2.0, 0.3, 0.0);
+    for (double length : lengths)
+    {
+        INFO(length << " m");
+        // 20,000 samples tell a root of a mean square to half a percent; the steepness of 0.015
+        // adds another.
+        CHECK(sampledChordError(*along, length, 0.0) ==
+              Approx(along->getChordError(length)).epsilon(0.03));
+        // Waves that run across an edge leave it straight.
+        const double share = sampledChordError(*breeze, length, PI) / breeze->getChordError(length);
+        CHECK(share > 0.5);
+        CHECK(share < 1.1);
+    }
+    // Short chords: the curvature alone, by the square of the length.
+    CHECK(along->getChordError(2e-6) == Approx(4.0 * along->getChordError(1e-6)).epsilon(1e-6));
+    CHECK(along->getChordError(1e-6) > 0.0);
+    CHECK(wavesOf({})->getChordError(1.0) == 0.0);
+}
+
 // Falls when getAmplitude leaves out the rise, or getShortestLength counts waves without height.
 TEST_CASE("the stated amplitude bounds the height, and the shortest wave is the shortest seen")
 {

@@ -48,6 +48,7 @@ public:
     double getMaxSlope() const override;
     /// Infinite, for no mesh need follow flat water.
     double getShortestLength() const override;
+    double getChordError(double) const override { return 0.0; }
     std::string getShaderName() const override;
     void apply(osg::StateSet& stateSet, const osg::Vec2d& anchor, double time) const override;
 
