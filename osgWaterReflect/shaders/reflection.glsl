@@ -37,8 +37,9 @@ Sighting lookFor(Capture capture, vec3 originEye, vec3 dirEye)
     {
         float rayLength = rayLengthAt(sighting.ray, sighting.result.s);
         vec4 hitSurface = surfaceFromEye * vec4(originEye + rayLength * dirEye, 1.0);
-        float heightOverWater = side * (hitSurface.z - waveHeight(hitSurface.xy));
-        if (heightOverWater < -0.001 * rayLength)
+        float lowest = -0.001 * rayLength;
+        if (side * hitSurface.z - highestWave() < lowest &&
+            side * (hitSurface.z - waveHeight(hitSurface.xy)) < lowest)
             sighting.result.reason = REASON_BELOW_WATER;
     }
     return sighting;

@@ -5,6 +5,11 @@ float waveHeight(vec2 p)
     return 0.0;
 }
 
+float highestWave()
+{
+    return 0.0;
+}
+
 vec3 waveNormal(vec2 p, vec2 dPdx, vec2 dPdy)
 {
     return vec3(0.0, 0.0, 1.0);

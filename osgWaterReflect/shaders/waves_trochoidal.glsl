@@ -4,6 +4,9 @@
 // A particle resting at r is found at  p = r + D(r),  D = -sum b_i k_i sin(theta_i),
 // at the height  sum a_i cos(theta_i) + rise,  theta_i = k_i . r + phase_i,  b_i = a_i / |k_i|.
 
+// Loops over the waves count down, for Mesa takes the array's size for the number of turns of one
+// that counts up, and runs them all.
+
 // What the sum does at a rest place.
 struct WaveSum
 {
@@ -16,7 +19,7 @@ WaveSum sumWaves(vec2 rest)
     WaveSum sum;
     sum.displacement = vec2(0.0);
     sum.jacobian = vec3(1.0, 1.0, 0.0);
-    for (int i = 0; i < waveCount; ++i)
+    for (int i = waveCount - 1; i >= 0; --i)
     {
         vec2 k = waves[i].xy;
         float theta = dot(k, rest) + waves[i].w;
@@ -50,12 +53,18 @@ float waveHeight(vec2 p)
 {
     vec2 rest = restPlace(p);
     float height = waveRise;
-    for (int i = 0; i < waveCount; ++i)
+    for (int i = waveCount - 1; i >= 0; --i)
     {
         vec2 k = waves[i].xy;
         height += length(k) * waves[i].z * cos(dot(k, rest) + waves[i].w);
     }
     return height;
+}
+
+// No crest or trough is farther from the still level [m].
+float highestWave()
+{
+    return waveReach + abs(waveRise);
 }
 
 // Share of a wave's amplitude left after averaging over a pixel's footprint: a Gaussian of half a
@@ -74,7 +83,7 @@ vec3 waveNormal(vec2 p, vec2 dPdx, vec2 dPdy)
     vec2 rest = restPlace(p);
     vec2 gradient = vec2(0.0);           // of the height, by the rest place
     vec3 jacobian = vec3(1.0, 1.0, 0.0);
-    for (int i = 0; i < waveCount; ++i)
+    for (int i = waveCount - 1; i >= 0; --i)
     {
         vec2 k = waves[i].xy;
         float theta = dot(k, rest) + waves[i].w;

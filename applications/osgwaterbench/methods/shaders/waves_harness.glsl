@@ -9,6 +9,11 @@ float waveHeight(vec2 p)
     return 0.0;
 }
 
+float highestWave()
+{
+    return 0.0;
+}
+
 // Unit normal in surface space at the point itself, not averaged over the pixel.
 vec3 waveNormal(vec2 p, vec2 dPdx, vec2 dPdy)
 {
