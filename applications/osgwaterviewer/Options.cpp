@@ -139,6 +139,9 @@ void readDetail(OptionReader& reader, osgWaterReflect::SurfaceDetail& detail)
 {
     reader.readNumber("--max-edge-pixels", "PIXELS", "Longest edge of the mesh of moving water.",
                       detail.maxEdgePixels);
+    reader.readNumber("--max-error-pixels", "PIXELS",
+                      "How far moving water may stray from its mesh where edges are longer.",
+                      detail.maxErrorPixels);
     reader.readNumber("--max-vertices", "COUNT", "Most vertices of the mesh of moving water.",
                       detail.maxVertices);
 }

@@ -13,8 +13,8 @@ namespace
 
 struct Corner
 {
-    glm::dvec2 place; // surface space
-    glm::dvec3 eye;
+    glm::dvec2 place;     // surface space
+    glm::dvec3 eye;       // eye space, scaled to surface units
     unsigned int outside; // a bit for each side of the view that no wave brings it back over
 };
 
@@ -71,16 +71,21 @@ private:
     std::size_t _used = 0;
 };
 
-// Divides one sheet for one view. A coarsening multiplies every length that an edge may have.
+// Divides one sheet for one view. A coarsening multiplies every length that an edge may have: edges
+// are asked about as if they were shorter by it.
 class Division
 {
 public:
-    Division(const StillWater& water, const SheetView& view, double maxEdgePixels,
+    Division(const StillWater& water, const SheetView& view, const SurfaceDetail& detail,
              double coarsening) :
-        _eyeFromSurface(view.eyeFromSurface),
         _clipFromSurface(view.clipFromEye * view.eyeFromSurface),
-        _clipAmplitude(view.amplitude * _clipFromSurface[2])
+        _clipAmplitude(view.amplitude * _clipFromSurface[2]), _chordErrors(view.chordErrors),
+        _perSquaredCoarsening(1.0 / (coarsening * coarsening))
     {
+        const double eyeUnitsPerUnit = glm::length(glm::dvec3(view.eyeFromSurface[0]));
+        _scaledFromSurface = view.eyeFromSurface / eyeUnitsPerUnit;
+        _squaredHeight = square(glm::inverse(view.eyeFromSurface)[3][2]);
+
         // Clip w grows with the distance along the view by this; it does not in an orthographic
         // view.
         const double depthScale = std::abs(view.clipFromEye[2][3]);
@@ -89,8 +94,9 @@ public:
             0.5 *
             std::max(view.viewportWidth * std::abs(view.clipFromEye[0][0]),
                      view.viewportHeight * std::abs(view.clipFromEye[1][1])) /
-            (_orthographic ? std::abs(view.clipFromEye[3][3]) : depthScale);
-        _lengthPerDepth = coarsening * maxEdgePixels / pixelsPerUnit;
+            (_orthographic ? std::abs(view.clipFromEye[3][3]) / eyeUnitsPerUnit : depthScale);
+        _squaredEdge = square(detail.maxEdgePixels / pixelsPerUnit);
+        _squaredError = square(detail.maxErrorPixels / pixelsPerUnit);
 
         glm::dvec2 lowest(std::numeric_limits<double>::infinity());
         glm::dvec2 highest = -lowest;
@@ -102,8 +108,7 @@ public:
         }
         // Where a wave model knows no shortest wave, an edge at the eye could be halved for ever.
         const double floor = glm::distance(lowest, highest) * SHORTEST_PART;
-        _shortestEdge = coarsening * std::max(view.shortestEdge, floor) *
-                        glm::length(glm::dvec3(view.eyeFromSurface[0]));
+        _squaredShortest = square(std::max(view.shortestEdge, floor));
 
         const std::vector<unsigned int>& indices = water.triangles();
         for (std::size_t i = 0; i < indices.size(); i += 3)
@@ -148,8 +153,8 @@ private:
         outside = outside << 1 | (clip.w + std::abs(_clipAmplitude.w) < 0.0);
 
         corners.push_back({place,
-                           glm::dvec3(place.x * _eyeFromSurface[0] + place.y * _eyeFromSurface[1] +
-                                      _eyeFromSurface[3]),
+                           glm::dvec3(place.x * _scaledFromSurface[0] +
+                                      place.y * _scaledFromSurface[1] + _scaledFromSurface[3]),
                            outside});
         return static_cast<unsigned int>(corners.size() - 1);
     }
@@ -165,22 +170,36 @@ private:
     // bit.
     bool tooLong(unsigned int a, unsigned int b) const
     {
-        const glm::dvec3& p = corners[a].eye;
-        const glm::dvec3 edge = corners[b].eye - p;
-        const double squaredLength = glm::dot(edge, edge);
-        if (squaredLength <= _shortestEdge * _shortestEdge) return false;
-        if (_orthographic) return squaredLength > _lengthPerDepth * _lengthPerDepth;
+        const glm::dvec3 edge = corners[b].eye - corners[a].eye;
+        const double squaredLength = glm::dot(edge, edge) * _perSquaredCoarsening;
+        if (squaredLength <= _squaredShortest) return false;
+        if (_orthographic) return isStrayedFrom(squaredLength, 1.0, 1.0);
 
-        // The edge's nearest point is one of its ends, or the foot of the eye between them, whose
-        // squared distance is p p - along^2 / squaredLength.
-        const double along = -glm::dot(p, edge);
-        const double squaredRatio = _lengthPerDepth * _lengthPerDepth;
-        if (along <= 0.0) return squaredLength > squaredRatio * glm::dot(p, p);
-        if (along >= squaredLength)
-            return squaredLength > squaredRatio * glm::dot(corners[b].eye, corners[b].eye);
-        return squaredLength * squaredLength >
-               squaredRatio * (glm::dot(p, p) * squaredLength - along * along);
+        const double squaredDepth = squaredDistance(corners[a].eye, edge);
+        // The nearest that a triangle with this for its longest side comes to the eye: it reaches
+        // no farther from that side than an equilateral one.
+        const double beside = std::sqrt(std::max(squaredDepth - _squaredHeight, 0.0)) -
+                              0.5 * std::sqrt(3.0 * glm::dot(edge, edge));
+        return isStrayedFrom(squaredLength, squaredDepth,
+                             _squaredHeight + square(std::max(beside, 0.0)));
     }
+
+    // Whether an edge is too long at a depth, and waves stray from it too far at another.
+    bool isStrayedFrom(double squaredLength, double squaredDepth, double squaredNearest) const
+    {
+        return squaredLength > _squaredEdge * squaredDepth &&
+               _chordErrors.squaredAt(squaredLength) > _squaredError * squaredNearest;
+    }
+
+    // From the eye to the nearest point of an edge: the foot of the eye, or one of its ends.
+    static double squaredDistance(const glm::dvec3& start, const glm::dvec3& edge)
+    {
+        const double s = glm::clamp(-glm::dot(start, edge) / glm::dot(edge, edge), 0.0, 1.0);
+        const glm::dvec3 nearest = start + s * edge;
+        return glm::dot(nearest, nearest);
+    }
+
+    static double square(double value) { return value * value; }
 
     unsigned int middle(unsigned int a, unsigned int b)
     {
@@ -231,23 +250,40 @@ private:
         _open.insert(_open.end(), {{{a, ab, ca}}, {{ca, bc, c}}, {{ab, bc, ca}}});
     }
 
-    glm::dmat4 _eyeFromSurface;
+    glm::dmat4 _scaledFromSurface{1.0}; // to eye space, scaled to surface units
     glm::dmat4 _clipFromSurface;
     glm::dvec4 _clipAmplitude;
+    ChordErrors _chordErrors;
+    double _perSquaredCoarsening;
     bool _orthographic = false;
-    double _lengthPerDepth = 0.0;
-    double _shortestEdge = 0.0; // [eye units]
+
+    // What an edge may have, squared. In a perspective view at a depth of 1, in surface units.
+    double _squaredEdge = 0.0;
+    double _squaredError = 0.0;
+    double _squaredShortest = 0.0; // at any depth
+
+    double _squaredHeight = 0.0; // of the eye over the still plane
     std::vector<Triangle> _open;
     EdgeMiddles _middles;
 };
+
+// Of the near and far planes nothing is left.
+glm::dmat4 withoutClipZ(glm::dmat4 clipFromEye)
+{
+    for (int column = 0; column < 4; ++column)
+        clipFromEye[column][2] = 0.0;
+    return clipFromEye;
+}
 
 } // namespace
 
 bool SheetView::operator==(const SheetView& rhs) const
 {
-    return eyeFromSurface == rhs.eyeFromSurface && clipFromEye == rhs.clipFromEye &&
+    return eyeFromSurface == rhs.eyeFromSurface &&
+           withoutClipZ(clipFromEye) == withoutClipZ(rhs.clipFromEye) &&
            viewportWidth == rhs.viewportWidth && viewportHeight == rhs.viewportHeight &&
-           amplitude == rhs.amplitude && shortestEdge == rhs.shortestEdge;
+           amplitude == rhs.amplitude && shortestEdge == rhs.shortestEdge &&
+           chordErrors == rhs.chordErrors;
 }
 
 WaveMesh::WaveMesh() : _geometry(createSurfaceGeometry()) {}
@@ -262,16 +298,16 @@ void WaveMesh::update(const StillWater& water, const SheetView& view, const Surf
     // Coarser by steps until it fits; finer again once half the corners would do. A step changes
     // their number by its square, so that the two do not chase each other.
     const double step = 1.25;
-    Division division(water, view, detail.maxEdgePixels, _coarsening);
+    Division division(water, view, detail, _coarsening);
     while (!division.run(detail.maxVertices))
     {
         _coarsening *= step;
-        division = Division(water, view, detail.maxEdgePixels, _coarsening);
+        division = Division(water, view, detail, _coarsening);
     }
     while (_coarsening > 1.0 && 2 * division.corners.size() < detail.maxVertices)
     {
         const double finer = std::max(1.0, _coarsening / step);
-        Division finerDivision(water, view, detail.maxEdgePixels, finer);
+        Division finerDivision(water, view, detail, finer);
         if (!finerDivision.run(detail.maxVertices)) break;
         _coarsening = finer;
         division = std::move(finerDivision);

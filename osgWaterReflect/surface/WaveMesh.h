@@ -1,6 +1,7 @@
 #ifndef OSGWATERREFLECT_SURFACE_WAVEMESH_H
 #define OSGWATERREFLECT_SURFACE_WAVEMESH_H
 
+#include "ChordErrors.h"
 #include "StillWater.h"
 
 #include <osgWaterReflect/SurfaceDetail>
@@ -21,13 +22,17 @@ struct SheetView
     double viewportHeight = 0.0; ///< [pixels]
     double amplitude = 0.0;      ///< of the waves [surface units]
     double shortestEdge = 0.0;   ///< [surface units] finer than this serves no wave
+    ChordErrors chordErrors;     ///< of the waves
 
+    /// Whether a sheet is divided alike: the near and far planes, which are fitted anew in every
+    /// frame, do not matter.
     bool operator==(const SheetView& rhs) const;
 };
 
-/// A sheet of water divided for one view: halves every edge that is too long on screen until none
-/// is left, without cracks, since an edge alone decides whether it is halved. Outlines, concave
-/// ones and holes too, stay where they are. What lies outside the view is left out.
+/// A sheet of water divided for one view: halves every edge that is too long on screen, and that
+/// waves stray from too far, until none is left, without cracks, since an edge alone decides
+/// whether it is halved. Outlines, concave ones and holes too, stay where they are. What lies
+/// outside the view is left out.
 class WaveMesh : public osg::Referenced
 {
 public:

@@ -148,7 +148,11 @@ void SheetPass::draw(osgUtil::CullVisitor& view, const std::vector<Searched>& se
     sheetView.viewportWidth = view.getViewport()->width();
     sheetView.viewportHeight = view.getViewport()->height();
     sheetView.amplitude = amplitude;
-    sheetView.shortestEdge = waves ? waves->getShortestLength() / EDGES_PER_WAVE : 0.0;
+    if (waves)
+    {
+        sheetView.shortestEdge = waves->getShortestLength() / EDGES_PER_WAVE;
+        sheetView.chordErrors = ChordErrors(*waves, sheetView.shortestEdge);
+    }
 
     const Mesh mesh = prepareMesh(water, sheet, sheetView, time);
     const Images images = searched.size() == 2 ? Images::TWO : Images::ONE;

@@ -133,6 +133,9 @@ TEST_CASE("surface detail out of range is refused, by name, and the old one stay
     checkMember<SurfaceDetail, double>(
         "SurfaceDetail::maxEdgePixels", &SurfaceDetail::maxEdgePixels,
         {0.0, 0.999, 1024.1, -16.0, NaN, INF, -INF}, {1.0, 1024.0}, setDetail, getDetail);
+    checkMember<SurfaceDetail, double>(
+        "SurfaceDetail::maxErrorPixels", &SurfaceDetail::maxErrorPixels,
+        {0.0, -0.5, 64.1, NaN, INF, -INF}, {TINY, 0.5, 64.0}, setDetail, getDetail);
     checkMember<SurfaceDetail, unsigned int>(
         "SurfaceDetail::maxVertices", &SurfaceDetail::maxVertices,
         {0u, 999u, 10000001u, std::numeric_limits<unsigned int>::max()}, {1000u, 10000000u},
@@ -161,6 +164,7 @@ TEST_CASE("a copy of a water surface has every option of the original")
     REQUIRE(water->setOptics(optics));
     SurfaceDetail detail;
     detail.maxEdgePixels = 7.0;
+    detail.maxErrorPixels = 0.75;
     detail.maxVertices = 12345;
     REQUIRE(water->setDetail(detail));
     osg::ref_ptr<TrochoidalWaves> waves = TrochoidalWaves::createBreeze(2.0, 0.3);

@@ -3,6 +3,7 @@
 #include "support/Catch.h"
 #include "support/DividedWater.h"
 
+#include <osgWaterReflect/TrochoidalWaves>
 #include <osgWaterReflect/WaterSurface>
 #include <osgWaterReflect/surface/WaveMesh.h>
 
@@ -63,30 +64,77 @@ SheetView orthographicView(double halfHeight)
     return view;
 }
 
-// The longest edge over what it may be: maxEdgePixels face on at the nearest point of the edge,
-// but never below the shortest edge.
-double longestOverBound(const Mesh& mesh, const SheetView& view, double maxEdgePixels)
+// What an edge has over what it may have, above 1 where it has to be halved: the least of its
+// length over maxEdgePixels and over the shortest edge, and of the waves' error over
+// maxErrorPixels, face on. The length is seen at the nearest point of the edge, the error at the
+// nearest of any triangle that the edge can be the longest side of.
+//   coarsening  what edges may be longer by
+double excess(const glm::dvec2& start, const glm::dvec2& end, const SheetView& view,
+              const SurfaceDetail& detail, double coarsening = 1.0)
 {
-    // Pixels of a length of 1 seen face on at a depth of 1; in orthographic views at any.
-    const bool orthographic = view.clipFromEye[2][3] == 0.0;
+    const glm::dvec3 eye(glm::inverse(view.eyeFromSurface)[3]);
+    const glm::dvec2 foot(eye);
+    const double length = glm::distance(start, end);
+    const double s = glm::clamp(glm::dot(foot - start, end - start) / (length * length), 0.0, 1.0);
+    const double beside = glm::distance(foot, glm::mix(start, end, s));
+    double depth = std::hypot(beside, eye.z);
+    double nearest = std::hypot(std::max(0.0, beside - std::sqrt(0.75) * length), eye.z);
+    if (view.clipFromEye[2][3] == 0.0) depth = nearest = 1.0;
+
+    // Of a length of 1 at a depth of 1, or at any in an orthographic view.
     const double pixels = std::max(0.5 * view.viewportWidth * view.clipFromEye[0][0],
                                    0.5 * view.viewportHeight * view.clipFromEye[1][1]);
-    double worst = 0.0;
+    const double shorter = length / coarsening;
+    const double error = std::sqrt(view.chordErrors.squaredAt(shorter * shorter));
+    return std::min({shorter / view.shortestEdge, shorter * pixels / depth / detail.maxEdgePixels,
+                     error * pixels / nearest / detail.maxErrorPixels});
+}
+
+// The largest excess of any edge.
+double largestExcess(const Mesh& mesh, const SheetView& view, const SurfaceDetail& detail,
+                     double coarsening = 1.0)
+{
+    double largest = 0.0;
     for (const auto& edge : edgesOf(mesh.triangles))
+        largest =
+            std::max(largest, excess(mesh.places[edge.first.first], mesh.places[edge.first.second],
+                                     view, detail, coarsening));
+    return largest;
+}
+
+// Of all triangles that are not the still water's own, the least excess of what was halved to make
+// them: of the largest edge that they can have been halved at.
+double leastReason(const Mesh& mesh, const StillWater& water, const SheetView& view,
+                   const SurfaceDetail& detail, double coarsening = 1.0)
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t t = 0; t < mesh.triangles.size(); t += 3)
     {
-        const glm::dvec3 a =
-            view.eyeFromSurface * glm::dvec4(mesh.places[edge.first.first], 0.0, 1.0);
-        const glm::dvec3 b =
-            view.eyeFromSurface * glm::dvec4(mesh.places[edge.first.second], 0.0, 1.0);
-        // Sampled, to share nothing with the division.
-        double nearest = std::min(glm::length(a), glm::length(b));
-        for (int i = 1; i < 8; ++i)
-            nearest = std::min(nearest, glm::length(glm::mix(a, b, i / 8.0)));
-        const double bound =
-            std::max(view.shortestEdge, maxEdgePixels / pixels * (orthographic ? 1.0 : nearest));
-        worst = std::max(worst, glm::distance(a, b) / bound);
+        double reason = 0.0;
+        bool still = true;
+        for (int i = 0; i < 3; ++i)
+        {
+            still = still && mesh.triangles[t + i] < water.corners().size();
+            const glm::dvec2& a = mesh.places[mesh.triangles[t + i]];
+            const glm::dvec2& b = mesh.places[mesh.triangles[t + (i + 1) % 3]];
+            const glm::dvec2& c = mesh.places[mesh.triangles[t + (i + 2) % 3]];
+            // An edge that is half of one, or that lies across from one between two halves.
+            reason = std::max({reason, excess(a, 2.0 * b - a, view, detail, coarsening),
+                               excess(2.0 * a - b, b, view, detail, coarsening),
+                               excess(c + a - b, c + b - a, view, detail, coarsening)});
+        }
+        if (!still) least = std::min(least, reason);
     }
-    return worst;
+    return least;
+}
+
+// A view with these waves.
+SheetView onWaves(SheetView view, const WaveModel& waves)
+{
+    view.amplitude = waves.getAmplitude();
+    view.shortestEdge = waves.getShortestLength() / 8.0;
+    view.chordErrors = ChordErrors(waves, view.shortestEdge);
+    return view;
 }
 
 std::vector<SheetView> manyViews()
@@ -210,10 +258,94 @@ TEST_CASE("no edge is longer on screen than asked, unless a wave needs no shorte
             {
                 INFO("view " << number++ << ", " << maxEdgePixels << " pixels");
                 const Mesh mesh = divide(*water, view, detail);
-                // The nearest point is sampled: up to 1 % further. Corners are rounded.
-                CHECK(longestOverBound(mesh, view, maxEdgePixels) < 1.01);
+                // Corners are rounded.
+                CHECK(largestExcess(mesh, view, detail) < 1.01);
             }
         }
+}
+
+// Falls when tooLong leaves out a condition, the error is that of a length twice or half as large,
+// or it is taken in eye space units.
+TEST_CASE("no edge is strayed from too far on screen, and none was halved without need")
+{
+    for (double steepness : {0.05, 0.3})
+        for (double maxErrorPixels : {0.1, 0.5, 4.0})
+        {
+            const osg::ref_ptr<TrochoidalWaves> waves =
+                TrochoidalWaves::createBreeze(4.0, steepness);
+            SurfaceDetail detail;
+            detail.maxErrorPixels = maxErrorPixels;
+            detail.maxVertices = 10000000;
+            for (const osg::ref_ptr<StillWater>& water : {lake(200.0), star(60.0)})
+            {
+                int number = 0;
+                for (const SheetView& still : manyViews())
+                {
+                    INFO("view " << number++ << ", " << maxErrorPixels << " pixels, steepness "
+                                 << steepness);
+                    const SheetView view = onWaves(still, *waves);
+                    const Mesh mesh = divide(*water, view, detail);
+                    checkWatertight(*water, mesh, &view);
+                    // Corners are rounded.
+                    CHECK(largestExcess(mesh, view, detail) < 1.01);
+                    CHECK(leastReason(mesh, *water, view, detail) > 0.99);
+                }
+            }
+        }
+}
+
+// Falls when the coarsening lengthens edges by its square, or leaves out the error.
+TEST_CASE("where the ceiling on vertices is met, all edges may be longer by one factor")
+{
+    const osg::ref_ptr<StillWater> water = lake(1000.0);
+    const osg::ref_ptr<TrochoidalWaves> waves = TrochoidalWaves::createBreeze(4.0, 0.3);
+    SurfaceDetail detail;
+    detail.maxErrorPixels = 0.02;
+    const SheetView view = onWaves(viewFrom({0, 0, 1.7}, {10, 0, 1.0}), *waves);
+    detail.maxVertices = 1500;
+    osg::ref_ptr<WaveMesh> mesh = new WaveMesh;
+    mesh->update(*water, view, detail);
+    const Mesh coarse = read(*mesh);
+    const double coarsening = mesh->coarsening();
+    CHECK(coarsening > 1.5);
+    CHECK(coarse.places.size() <= 1500);
+    CHECK(coarse.places.size() > 1500 / 2);
+    CHECK(largestExcess(coarse, view, detail, coarsening) < 1.01);
+    CHECK(leastReason(coarse, *water, view, detail, coarsening) > 0.99);
+}
+
+// Falls when maxErrorPixels is not asked for: 7377, 21,759 and 21,841.
+TEST_CASE("low waves far away need few vertices")
+{
+    const osg::ref_ptr<StillWater> water = lake(1000.0);
+    const auto count = [&](const SheetView& view, double steepness)
+    {
+        const osg::ref_ptr<TrochoidalWaves> waves = TrochoidalWaves::createBreeze(2.0, steepness);
+        return divide(*water, onWaves(view, *waves)).places.size();
+    };
+    // From 100 m a pixel is 17 cm and more; these waves stray 3 mm from any edge.
+    CHECK(count(viewFrom({0, -400, 100}, {0, 0, 0}), 0.05) == 4);
+    // From a bank a pixel is 8 mm and more.
+    CHECK(count(viewFrom({0, -400, 1.7}, {0, 0, 0}), 0.05) < 200);
+    CHECK(count(viewFrom({0, -400, 1.7}, {0, 0, 0}), 0.3) < 2000);
+}
+
+// Edges of a large sheet are far from an eye over its middle. Falls when tooLong takes the error
+// where the edge is nearest, and not the triangle.
+TEST_CASE("waves near the eye are followed however far the shores are")
+{
+    for (double size : {100.0, 1000.0, 10000.0})
+    {
+        const osg::ref_ptr<TrochoidalWaves> waves = TrochoidalWaves::createBreeze(2.0, 0.3);
+        const SheetView view =
+            onWaves(viewFrom({0.11 * size, -0.4 * size, 1.7}, {0.11 * size, 0, 0}), *waves);
+        const Mesh mesh = divide(*lake(size), view);
+        INFO(size << " m");
+        std::size_t near = 0;
+        for (const glm::dvec2& place : mesh.places)
+            near += glm::distance(place, glm::dvec2(0.11 * size, 6.0 - 0.4 * size)) < 2.0;
+        CHECK(near > 20);
+    }
 }
 
 // Falls when SurfaceDetail's default is 32 pixels.
@@ -253,8 +385,7 @@ TEST_CASE("the ceiling on vertices is kept, and the mesh is fine again when ther
     // No more than it takes: a step finer would not do.
     CHECK(read(*mesh).places.size() > 5000 / 2);
     checkWatertight(*water, read(*mesh), &demanding);
-    CHECK(longestOverBound(read(*mesh), demanding, 4.0 * mesh->coarsening()) <
-          1.01 * mesh->coarsening());
+    CHECK(largestExcess(read(*mesh), demanding, detail, mesh->coarsening()) < 1.01);
 
     // Looking at the sky, nothing is asked for.
     mesh->update(*water, viewFrom({0, 0, 1.7}, {0.1, 0, 100.0}), detail);
@@ -265,7 +396,7 @@ TEST_CASE("the ceiling on vertices is kept, and the mesh is fine again when ther
     detail.maxVertices = 10000000;
     mesh->update(*water, demanding, detail);
     CHECK(mesh->coarsening() == 1.0);
-    CHECK(longestOverBound(read(*mesh), demanding, 4.0) < 1.01);
+    CHECK(largestExcess(read(*mesh), demanding, detail) < 1.01);
 }
 
 // Falls when the coarsening does not lengthen _shortestEdge too: it then never ends.
@@ -331,12 +462,26 @@ TEST_CASE("the mesh is divided anew when the view, the detail or the sheet chang
     changes("amplitude");
     view.shortestEdge = 0.3;
     changes("shortestEdge");
-    view.clipFromEye[0][0] *= 1.1;
-    changes("clipFromEye");
+    for (int column = 0; column < 4; ++column)
+        for (int row : {0, 1, 3})
+        {
+            view.clipFromEye[column][row] += 0.1;
+            changes("clipFromEye");
+        }
     view.eyeFromSurface[3][0] += 1.0;
     changes("eyeFromSurface");
     detail.maxEdgePixels = 9.0;
     changes("maxEdgePixels");
+    detail.maxErrorPixels = 0.7;
+    changes("maxErrorPixels");
+    const osg::ref_ptr<TrochoidalWaves> waves = TrochoidalWaves::createBreeze(4.0, 0.3);
+    view.chordErrors = ChordErrors(*waves, view.shortestEdge);
+    changes("chordErrors");
+    // OpenSceneGraph fits the near and far planes anew in every frame.
+    for (int column = 0; column < 4; ++column)
+        view.clipFromEye[column][2] += 0.1;
+    mesh->update(*water, view, detail);
+    CHECK(revision() == last);
     water = lake(99.0);
     changes("the sheet");
 }

@@ -59,8 +59,8 @@ help()
     "$viewer" --help > help.txt || fail "expected exit status 0, got $?"
     for option in --help --help-env --help-keys --help-all --water --sky --no-sky --camera --fovy \
         --search --capture --guard-band --thickness --stride --capture-scale --trace-scale \
-        --frame-time --refractive-index --water-colour \
-        --max-edge-pixels --max-vertices --debug-view --offscreen --size --time --frames --waves \
+        --frame-time --refractive-index --water-colour --max-edge-pixels --max-error-pixels \
+        --max-vertices --debug-view --offscreen --size --time --frames --waves \
         --wave-length --wave-direction -p
     do
         grep -q -e "^  $option\( \|\$\)" help.txt || fail "expected $option in the help"
@@ -123,6 +123,7 @@ wrong_ranges()
     refused refractiveIndex --refractive-index 0.9
     refused waterColour --water-colour 0,2,0
     refused maxEdgePixels --max-edge-pixels 0
+    refused maxErrorPixels --max-error-pixels 0
     refused maxVertices --max-vertices 10
     refused steepness --waves 1
     refused length --wave-length 0
