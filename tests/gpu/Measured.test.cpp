@@ -114,6 +114,9 @@ TEST_CASE("points and normals of the water are put out in eye space")
 {
     MeasuredView view;
     osg::ref_ptr<TrochoidalWaves> waves = TrochoidalWaves::createBreeze(2.0, 0.2);
+    SurfaceDetail detail;
+    detail.maxErrorPixels = 0.05; // so that the mesh is close to the waves, near by
+    REQUIRE(view.water->setDetail(detail));
     for (const bool moving : {false, true})
     {
         view.water->setWaves(moving ? waves.get() : nullptr);
