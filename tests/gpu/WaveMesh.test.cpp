@@ -104,7 +104,8 @@ TEST_CASE("a crest that rises into the view is drawn, though the still water is 
 }
 
 // Measured: 580 of 76,800 pixels differ by more than 8 of 255 from those of a mesh of six times as
-// many vertices; with the error eight times as large, 2266. Falls when maxErrorPixels is 4 by default.
+// many vertices; with the error eight times as large, 2266. Falls when maxErrorPixels is 4 by
+// default.
 TEST_CASE("the mesh shows what a much finer one does")
 {
     const osg::ref_ptr<osg::Image> fine = Bank(0.001).renderFrom(BANK);
