@@ -206,11 +206,13 @@ void BenchView::watchImages()
 FrameTime BenchView::time()
 {
     const MethodScope scope(_method, _bed);
-    // The first frame of a method makes what it needs.
-    if (_watchedMethods.insert(_method.name).second)
+    // The first frame after another method makes the captures that it needs, anew where the other
+    // had no use for them.
+    if (_watchedMethod != _method.name)
     {
         frame();
         watchImages();
+        _watchedMethod = _method.name;
     }
     _clock->start();
     frame();

@@ -11,7 +11,6 @@
 
 #include <glm/vec2.hpp>
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -77,7 +76,7 @@ private:
     TestBed _bed;
     osg::ref_ptr<osg::Group> _waters = new osg::Group;
     Method _method = libraryMethod("default", {});
-    std::set<std::string> _watchedMethods; // whose images' cameras the clock knows
+    std::string _watchedMethod; // whose images' cameras the clock knows
     osgViewer::Viewer _viewer;
 };
 
