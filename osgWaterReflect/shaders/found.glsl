@@ -147,18 +147,17 @@ Candidate refined(Capture capture, ImageRay ray, Candidate at)
     return at;
 }
 
-TraceResult missOf(ImageRay ray, int reason, float sHidden, float hidden)
-{
-    return TraceResult(reason, sHidden, windowAt(ray, sHidden), hidden, false);
-}
-
 // The end of a ray that meets nothing, as that of one beside it. Where this went behind something, at
 // an edge, the ray itself may do so some columns later; if it does not, it sees the sky.
 TraceResult endedAs(Capture capture, ImageRay ray, Found miss)
 {
     bool below = miss.reason == REASON_BELOW_WATER;
     if (miss.reason != REASON_BEHIND)
-        return missOf(ray, below ? REASON_BELOW_WATER : ray.endReason, 0.0, 0.0);
+    {
+        int ended = below ? REASON_BELOW_WATER : ray.endReason;
+        float endZ = leftImage(ended) ? capturedWindowZ(capture, ray.end.xy) : 1.0;
+        return missOf(ray, ended, 0.0, 0.0, endZ);
+    }
 
     vec3 extent = ray.end - ray.start;
     float step = 1.0 / max(max(abs(extent.x), abs(extent.y)), 1.0);
@@ -166,7 +165,7 @@ TraceResult endedAs(Capture capture, ImageRay ray, Found miss)
     for (int i = 0; i < COLUMNS_LATER && at.behind < 0.0; ++i)
         at = candidateAt(capture, ray, min(at.s + step, 1.0));
     bool background = at.window.z - at.behind >= 1.0;
-    return missOf(ray, background ? ray.endReason : REASON_BEHIND, at.s, miss.hidden);
+    return missOf(ray, background ? ray.endReason : REASON_BEHIND, at.s, miss.hidden, 1.0);
 }
 
 // Where a ray meets what the rays about it have met between two lengths, if they have; else the
@@ -235,7 +234,7 @@ Sighting sightingOf(Capture capture, bool mirrored, vec3 originEye, vec3 dirEye)
     if (!met && otherEnds) return sighting;
 
     // Many pixels may be met at one edge: what the four captured pixels there show is not known.
-    sighting.result = TraceResult(REASON_HIT, best.s, best.window, 0.0, false);
+    sighting.result = TraceResult(REASON_HIT, best.s, best.window, 0.0, false, 1.0);
     return sighting;
 }
 

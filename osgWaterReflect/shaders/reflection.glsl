@@ -101,19 +101,13 @@ vec3 shownColour(Capture capture, Sighting sighting, vec2 window)
 // Share of a surface at the image's border in what is shown of a ray that has left the image there:
 // all, where the ray would meet it at once, were it to go on at the same windowZ; none, where it
 // would not within BORDER_REACH. So a thing that the border cuts off does not end in an edge.
-float borderShare(Capture capture, ImageRay ray)
+float borderShare(Capture capture, ImageRay ray, float surfaceZ)
 {
-    float surfaceZ = capturedWindowZ(capture, ray.end.xy);
     vec3 extent = ray.end - ray.start;
     float room = surfaceZ - ray.end.z;
     float reachZ = extent.z / max(length(extent.xy), 1e-6) * BORDER_REACH * capture.size.y;
     bool meets = surfaceZ < 1.0 && room >= 0.0 && room < reachZ;
     return meets ? smoothstep(1.0, 0.0, room / reachZ) : 0.0;
-}
-
-bool leftImage(int reason)
-{
-    return reason >= REASON_LEFT && reason <= REASON_TOP;
 }
 
 Reflection traceReflection(vec3 originEye, vec3 dirEye)
@@ -129,7 +123,7 @@ Reflection traceReflection(vec3 originEye, vec3 dirEye)
         result.hidden <= HIDING_REACH * eyeCapture.depthScale.x *
                          mix(ray.inverseDepth.x, ray.inverseDepth.y, result.s);
     float share = hit || hiddenClosely ? 1.0
-                : leftImage(result.reason) ? borderShare(eyeCapture, ray)
+                : leftImage(result.reason) ? borderShare(eyeCapture, ray, result.endZ)
                 : 0.0;
     vec2 shown = hit || hiddenClosely ? result.window.xy : ray.end.xy;
     vec3 colour = shownColour(eyeCapture, sighting, shown);

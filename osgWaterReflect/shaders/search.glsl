@@ -8,6 +8,7 @@ struct TraceResult
     vec3 window;          // the same place in window space [pixels, pixels, windowZ]
     float hidden;         // the ray's depth behind what hid it last [windowZ]; 0: nothing has
     bool smoothAbout;     // the four pixels about a hit are known to show one surface
+    float endZ;           // windowZ seen where a ray has left the image
 };
 
 // Columns whose centres the segment passes, from the first one after its start; the end itself
@@ -157,6 +158,13 @@ struct Sample
     float behind;         // depth of the ray behind the surface [windowZ]
 };
 
+// What a place on the ray's image shows.
+struct Seen
+{
+    float s;
+    float surfaceZ;       // [windowZ]
+};
+
 // How far a search by columns has come.
 //
 // Its loops find the next column where a surface is reached, and nothing else: rasterisers run
@@ -227,7 +235,8 @@ void meet(Capture capture, ImageRay ray, Columns columns, int i, inout Trail tra
 }
 
 // Where a hit is. A surface that does not jump is met between two columns, and between their pixels.
-TraceResult hitOf(Capture capture, ImageRay ray, Columns columns, Trail trail)
+//   next  the next column, where the ray has reached the surface by looking ahead
+TraceResult hitOf(Capture capture, ImageRay ray, Columns columns, Trail trail, Seen next)
 {
     vec2 extent = ray.end.xy - ray.start.xy;
     float thick = trail.meeting.thick;
@@ -238,14 +247,12 @@ TraceResult hitOf(Capture capture, ImageRay ray, Columns columns, Trail trail)
     // Reached by looking ahead: rather between this column and the next.
     if (at.behind < 0.0)
     {
-        float sNext = min(at.s + columns.step, 1.0);
-        vec3 next = windowAt(ray, sNext);
+        float rayZ = windowAt(ray, next.s).z;
         float ownZ = windowAt(ray, at.s).z - at.behind;
-        float nextZ = capturedWindowZ(capture, next.xy);
-        if (next.z >= nextZ && abs(nextZ - ownZ) <= thick)
+        if (rayZ >= next.surfaceZ && abs(next.surfaceZ - ownZ) <= thick)
         {
             before = at;
-            at = Sample(sNext, next.z - nextZ);
+            at = Sample(next.s, rayZ - next.surfaceZ);
             continuous = true;
         }
     }
@@ -273,20 +280,31 @@ TraceResult hitOf(Capture capture, ImageRay ray, Columns columns, Trail trail)
     // That place may lie before the one column or beyond the other.
     result.smoothAbout = result.smoothAbout && result.s >= before.s && result.s <= at.s;
     result.hidden = trail.hidden;
+    result.endZ = 1.0;
     return result;
 }
 
-// What a search by columns ends with.
+TraceResult missOf(ImageRay ray, int reason, float sHidden, float hidden, float endZ)
+{
+    return TraceResult(reason, sHidden, windowAt(ray, sHidden), hidden, false, endZ);
+}
+
+bool leftImage(int reason)
+{
+    return reason >= REASON_LEFT && reason <= REASON_TOP;
+}
+
+// What a search by columns ends with. A hit may look at the next column, a ray that leaves the image
+// at its last pixel: by one fetch, for rasterisers that run several pixels at once make both.
 TraceResult resultOf(Capture capture, ImageRay ray, Columns columns, Trail trail)
 {
-    if (trail.meeting.hit) return hitOf(capture, ray, columns, trail);
-    TraceResult result;
-    result.reason = trail.inFront ? ray.endReason : REASON_BEHIND;
-    result.s = trail.sHidden;
-    result.window = windowAt(ray, trail.sHidden);
-    result.hidden = trail.hidden;
-    result.smoothAbout = false;
-    return result;
+    bool hit = trail.meeting.hit;
+    int ended = trail.inFront ? ray.endReason : REASON_BEHIND;
+    Seen beyond = Seen(hit ? min(trail.at.s + columns.step, 1.0) : 1.0, 1.0);
+    if (hit ? trail.at.behind < 0.0 : leftImage(ended))
+        beyond.surfaceZ = capturedWindowZ(capture, windowAt(ray, beyond.s).xy);
+    if (hit) return hitOf(capture, ray, columns, trail, beyond);
+    return missOf(ray, ended, trail.sHidden, trail.hidden, beyond.surfaceZ);
 }
 
 #if OSGWR_SEARCH == SEARCH_SEQUENTIAL

@@ -55,6 +55,7 @@ TraceResult searchImage(Capture capture, ImageRay ray)
     result.reason = hit ? REASON_HIT : endsBehind ? REASON_BEHIND : ray.endReason;
     result.s = crossing(sBehind, step, before, behind, firstShare);
     result.hidden = behind;
+    result.endZ = endZ;
     result.smoothAbout = false;
     result.window = ray.start + result.s * extent;
     return result;
