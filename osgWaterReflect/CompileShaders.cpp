@@ -3,7 +3,7 @@
 #include <osgWaterReflect/TrochoidalWaves>
 #include <osgWaterReflect/WaterSurface>
 
-#include "AutomaticChoice.h"
+#include "choice/AutomaticChoice.h"
 #include "pyramid/Pyramid.h"
 #include "trace/WaterProgram.h"
 

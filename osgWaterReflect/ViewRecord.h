@@ -1,8 +1,8 @@
 #ifndef OSGWATERREFLECT_VIEWRECORD_H
 #define OSGWATERREFLECT_VIEWRECORD_H
 
-#include "ViewSettings.h"
 #include "capture/Capture.h"
+#include "choice/ViewSettings.h"
 #include "pyramid/Pyramid.h"
 #include "trace/SheetPass.h"
 

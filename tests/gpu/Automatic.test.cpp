@@ -5,8 +5,8 @@
 #include "support/OffscreenView.h"
 #include "support/Scenes.h"
 
-#include <osgWaterReflect/FramePace.h>
 #include <osgWaterReflect/TrochoidalWaves>
+#include <osgWaterReflect/choice/FramePace.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "support/Catch.h"
 
-#include <osgWaterReflect/AccuracySteps.h>
+#include <osgWaterReflect/choice/AccuracySteps.h>
 
 using namespace osgWaterReflect;
 

@@ -2,7 +2,7 @@
 
 #include "support/Catch.h"
 
-#include <osgWaterReflect/AutomaticChoice.h>
+#include <osgWaterReflect/choice/AutomaticChoice.h>
 
 using namespace osgWaterReflect;
 

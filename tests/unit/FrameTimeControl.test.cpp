@@ -3,7 +3,7 @@
 
 #include "support/Catch.h"
 
-#include <osgWaterReflect/FrameTimeControl.h>
+#include <osgWaterReflect/choice/FrameTimeControl.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
-#ifndef OSGWATERREFLECT_VIEWSETTINGS_H
-#define OSGWATERREFLECT_VIEWSETTINGS_H
+#ifndef OSGWATERREFLECT_CHOICE_VIEWSETTINGS_H
+#define OSGWATERREFLECT_CHOICE_VIEWSETTINGS_H
 
+#include "../capture/WaterFinder.h"
 #include "AutomaticChoice.h"
 #include "FramePace.h"
-#include "capture/WaterFinder.h"
 
 #include <optional>
 
