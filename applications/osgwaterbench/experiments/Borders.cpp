@@ -55,10 +55,9 @@ double searchTime(const CaseTime& time)
     return time.trace.median + time.pyramid.median;
 }
 
-std::vector<std::string> printed(const Method& method, const Accuracy& accuracy,
+std::vector<std::string> printed(const Method& method, const Measures& measures,
                                  const CaseTime& time, const CaseTime& baseline)
 {
-    const Measures& measures = accuracy.measures;
     const auto percent = [&measures](TrueClass trueClass, Outcome outcome)
     {
         const std::optional<double> value = measures.of(trueClass).percent(outcome);
@@ -98,13 +97,13 @@ bool osgwaterbench::runBorders(const ExperimentOptions& options)
                 if (slope > 0.0 && !waves) return false;
 
                 Measurement measurement(*scene, waves, size);
-                std::vector<Accuracy> accuracies;
+                std::vector<Measures> measured;
                 {
                     Progress progress(std::string("measuring ") + name, tried.size());
                     for (const Method& method : tried)
                     {
                         progress.step(method.name);
-                        accuracies.push_back(measurement.measure(method));
+                        measured.push_back(measurement.measurePlaces(method));
                     }
                 }
                 const std::vector<CaseTime> times =
@@ -122,10 +121,10 @@ bool osgwaterbench::runBorders(const ExperimentOptions& options)
                     Json row = {
                         {"scene", name}, {"slope", slope}, {"width", size.x}, {"height", size.y}};
                     row.update(toJson(tried[i]));
-                    row.update(toJson(accuracies[i]));
+                    row.update(toJson(measured[i]));
                     row.update(toJson(times[i]));
                     results.add(row);
-                    table.add(printed(tried[i], accuracies[i], times[i], times.front()));
+                    table.add(printed(tried[i], measured[i], times[i], times.front()));
                 }
                 std::cout << table;
             }

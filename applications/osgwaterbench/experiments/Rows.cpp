@@ -39,17 +39,6 @@ Json jsonOf(const std::optional<Percentiles>& percentiles)
             {"p99", percentiles->p99}};
 }
 
-Json jsonOf(const Measures& measures)
-{
-    Json json;
-    for (int i = 0; i < TRUE_CLASS_COUNT; ++i)
-        json["classes"][CLASS_NAMES[i]] = jsonOf(measures.classes[i]);
-    json["correct_percent"] = orNull(measures.all().percent(Outcome::CORRECT));
-    json["hit_error_px"] = jsonOf(measures.hitErrorPixels);
-    json["fetches"] = orNull(measures.meanFetches);
-    return json;
-}
-
 Json jsonOf(const std::optional<SearchError>& error)
 {
     if (!error) return {};
@@ -71,9 +60,20 @@ Json jsonOf(const Spread& spread)
 
 } // namespace
 
+Json osgwaterbench::toJson(const Measures& measures)
+{
+    Json json;
+    for (int i = 0; i < TRUE_CLASS_COUNT; ++i)
+        json["classes"][CLASS_NAMES[i]] = jsonOf(measures.classes[i]);
+    json["correct_percent"] = orNull(measures.all().percent(Outcome::CORRECT));
+    json["hit_error_px"] = jsonOf(measures.hitErrorPixels);
+    json["fetches"] = orNull(measures.meanFetches);
+    return json;
+}
+
 Json osgwaterbench::toJson(const Accuracy& accuracy)
 {
-    Json json = jsonOf(accuracy.measures);
+    Json json = toJson(accuracy.measures);
     json["search"] = jsonOf(accuracy.search);
     json["picture"] = jsonOf(accuracy.picture);
     return json;

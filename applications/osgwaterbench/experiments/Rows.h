@@ -11,6 +11,7 @@ namespace osgwaterbench
 /// What is measured, as it stands in result files; null where there is nothing to measure.
 /// Names end in their unit.
 Json toJson(const Accuracy& accuracy);
+Json toJson(const Measures& measures);
 Json toJson(const std::optional<TessellationError>& error);
 Json toJson(const CaseTime& time);
 
