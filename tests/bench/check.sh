@@ -36,7 +36,7 @@ wrong_options() {
 
 help() {
     "$bench" --help >"$work/out"
-    for word in table1 accuracy rivals scaling --quick --scenes boxes-branch; do
+    for word in table1 accuracy rivals scaling borders added --quick --scenes boxes-branch; do
         grep -q -- "$word" "$work/out" || fail "--help: expected $word"
     done
 }
@@ -54,6 +54,20 @@ scaling() {
     runs scaling
     for varied in triangles waters corners pixels; do
         grep -q "\"$varied\"" "$work/scaling.json" || fail "expected $varied to be varied"
+    done
+}
+borders() {
+    runs borders
+    for method in baseline hierarchical "hierarchical, adaptive band" "hierarchical, mirror" \
+        "hierarchical, both, band 25 %"
+    do
+        grep -q "\"$method\"" "$work/borders.json" || fail "expected $method to be measured"
+    done
+}
+added() {
+    runs added
+    for method in mirror-over-distance view frame "frame, adaptive band"; do
+        grep -q "\"$method\"" "$work/added.json" || fail "expected $method to be timed"
     done
 }
 rivals() {
