@@ -9,7 +9,8 @@ namespace osgWaterReflect
 {
 
 /// The settings that a view goes through to save time: as asked for first, the fastest last. No
-/// step is in any respect more accurate than the one before, and none is the same.
+/// step is in any respect more accurate than the one before, but that the copy of step 6 may have a
+/// band; and none is the same.
 ///   asked  with a definite kind of capture: AUTOMATIC stays what it is
 ///
 /// 1. the mirrored image beside the view's: undersides and what is hidden, for a draw of the scene

@@ -40,6 +40,10 @@ void ImageStage::prepare(int x, int y, int width, int height)
 {
     getViewport()->setViewport(x, y, width, height);
 
+    // OSG would reset the stages of the last frame before and after it, too, and one of them may
+    // hold what it is to draw in this frame already.
+    getPreRenderList().clear();
+    getPostRenderList().clear();
     reset();
     _stateGraph->clean();
     osgUtil::StateGraph* const leaves = _stateGraph->find_or_insert(_stateSet);

@@ -157,7 +157,8 @@ TEST_CASE("a copied frame is reflected as a scene drawn anew is")
     CHECK(countDifferent(*copied, *drawn, ROUNDING) <= 4);
 }
 
-// Breaks where TracePass does not follow the copy, or is left where the first water has put it.
+// Breaks where TracePass does not follow the copy, or where arranging the copy resets the trace of
+// the last frame after it, which holds water of this one.
 TEST_CASE("a copied frame is traced at a fraction of the resolution after its copy")
 {
     FrameView view;
@@ -166,12 +167,20 @@ TEST_CASE("a copied frame is traced at a fraction of the resolution after its co
     set(*pond, &ReflectionSettings::traceScale, 0.5);
     setCapture(*pond, CaptureKind::MIRROR);
     const osg::ref_ptr<osg::Group> scene = scenes::together({scenes::createHarbour()});
-    const std::vector<osg::ref_ptr<osg::Node>> waters =
-        GENERATE_COPY(std::vector<osg::ref_ptr<osg::Node>>{view.lake},
-                      std::vector<osg::ref_ptr<osg::Node>>{view.lake, pond},
-                      std::vector<osg::ref_ptr<osg::Node>>{pond, view.lake});
-    for (const auto& water : waters)
-        scene->addChild(water);
+    SECTION("alone")
+    {
+        scene->addChild(view.lake);
+    }
+    SECTION("before water that is traced in a mirrored image")
+    {
+        scene->addChild(view.lake);
+        scene->addChild(pond);
+    }
+    SECTION("after it")
+    {
+        scene->addChild(pond);
+        scene->addChild(view.lake);
+    }
 
     // The frame after a cut, which another frame's rays do not fit.
     const auto picture = [&](CaptureKind capture)
@@ -183,6 +192,7 @@ TEST_CASE("a copied frame is traced at a fraction of the resolution after its co
         return copyOf(view.render(scene));
     };
     const osg::ref_ptr<osg::Image> drawn = picture(CaptureKind::VIEW);
+    // Measured: 8. In another frame's copy it would be 2,900; water whose rays are lost, 118.
     CHECK(countDifferent(*picture(CaptureKind::FRAME), *drawn, ROUNDING) <= 20);
 }
 
