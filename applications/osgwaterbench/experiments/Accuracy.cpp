@@ -17,7 +17,7 @@ using osgWaterReflect::Search;
 namespace
 {
 
-// The library's default with one setting changed, which the name tells.
+// A search of the view's capture with one setting changed, which the name tells.
 class Settings
 {
 public:
@@ -65,13 +65,15 @@ private:
 
 std::vector<Method> methods(bool quick)
 {
+    const Method automatic = libraryMethod("automatic", ReflectionSettings());
     const Settings hierarchical("hierarchical", Search::HIERARCHICAL);
     const Settings sequential("sequential", Search::SEQUENTIAL);
     const Settings binary("binary", Search::BINARY);
     const Method mirror = hierarchical.withCapture("mirror", CaptureKind::MIRROR);
     const Method both = hierarchical.withCapture("both", CaptureKind::VIEW_AND_MIRROR);
     if (quick)
-        return {hierarchical.method(),
+        return {automatic,
+                hierarchical.method(),
                 mirror,
                 both,
                 hierarchical.withCaptureScale(0.5),
@@ -82,7 +84,8 @@ std::vector<Method> methods(bool quick)
                 paperMethod(),
                 paperBinaryMethod(),
                 baselineMethod()};
-    return {hierarchical.method(),
+    return {automatic,
+            hierarchical.method(),
             mirror,
             both,
             hierarchical.withThickness(0.1),

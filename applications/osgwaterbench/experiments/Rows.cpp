@@ -14,7 +14,8 @@ const std::map<osgWaterReflect::CaptureKind, const char*> CAPTURE_NAMES = {
     {osgWaterReflect::CaptureKind::VIEW, "view"},
     {osgWaterReflect::CaptureKind::FRAME, "frame"},
     {osgWaterReflect::CaptureKind::MIRROR, "mirror"},
-    {osgWaterReflect::CaptureKind::VIEW_AND_MIRROR, "view and mirror"}};
+    {osgWaterReflect::CaptureKind::VIEW_AND_MIRROR, "view and mirror"},
+    {osgWaterReflect::CaptureKind::AUTOMATIC, "automatic"}};
 
 Json orNull(const std::optional<double>& value)
 {

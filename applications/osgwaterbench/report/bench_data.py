@@ -11,15 +11,24 @@ SLOPES = (0.0, 0.05, 0.1, 0.15)
 CALM = 0.0
 MAIN_SLOPE = 0.05  # of the main tables, the plots and the pictures
 
-DEFAULT = "hierarchical"
+DEFAULT = "automatic"  # the library's default settings
+SEARCH = "hierarchical"  # the default search, always in the view's capture with its adaptive band
+MIRRORED = "hierarchical, mirror"  # in the mirrored eye's capture
+BOTH = "hierarchical, both"
 SEQUENTIAL = "sequential"
 BINARY = "binary"
+BASELINE = "baseline"
 METHODS = (
     DEFAULT,
+    SEARCH,
+    MIRRORED,
+    BOTH,
     "hierarchical, thickness 0.1",
     "hierarchical, thickness 2.0",
     "hierarchical, capture scale 0.50",
     "hierarchical, capture scale 0.25",
+    "hierarchical, trace scale 0.50",
+    "hierarchical, trace scale 0.25",
     SEQUENTIAL,
     "sequential, stride 2",
     "sequential, stride 4",
@@ -27,16 +36,44 @@ METHODS = (
     BINARY,
     "paper",
     "paper-binary",
-    "baseline",
+    BASELINE,
 )
-MIRROR = "mirror"  # whichever of its two kinds of bending was the best
+MIRROR = "mirror"  # a mirrored camera, whichever of its two kinds of bending was the best
+BENDINGS = (MIRROR, "mirror-over-distance")
 RIVALS = (DEFAULT, "paper", "paper-binary", MIRROR, "sky-only")
-TABLE1_METHODS = (DEFAULT, SEQUENTIAL, BINARY, "paper", "paper-binary")
+TABLE1_METHODS = (SEARCH, SEQUENTIAL, BINARY, "paper", "paper-binary")
+
+# Of borders: no band where none is named.
+PLAIN = "hierarchical"
+FIXED_BAND = "hierarchical, band 25 %"
+ADAPTIVE_BAND = "hierarchical, adaptive band"
+BOTH_FIXED = "hierarchical, both, band 25 %"
+BOTH_ADAPTIVE = "hierarchical, both, adaptive band"
+BORDER_METHODS = (
+    BASELINE,
+    SEQUENTIAL,
+    PLAIN,
+    FIXED_BAND,
+    ADAPTIVE_BAND,
+    MIRRORED,
+    BOTH_FIXED,
+    BOTH_ADAPTIVE,
+)
+BORDER_SCENES = ("boxes", "boxes-branch")
+BORDER_SLOPES = (0.0, 0.05, 0.15)
+
+# Of added: the mirrored camera, then captures.
+VIEW, VIEW_BAND = "view", "view, adaptive band"
+FRAME, FRAME_BAND = "frame", "frame, adaptive band"
+MIRRORED_CAPTURE = "mirrored capture"
+ADDED_METHODS = (MIRROR, VIEW, VIEW_BAND, FRAME, FRAME_BAND, MIRRORED_CAPTURE)
+
 VARIED = ("triangles", "waters", "corners", "pixels")
 VARIED_WHEN_CALM = ("waters", "corners")  # too
 
 CLASSES = ("sky", "visible", "hidden", "outside_top", "outside_sides")
-NOT_IN_IMAGE = ("hidden", "outside_top", "outside_sides")
+OUTSIDE = ("outside_top", "outside_sides")
+NOT_IN_IMAGE = ("hidden", *OUTSIDE)
 OUTCOMES = ("correct", "misplaced", "missed", "false_hit")
 
 Row = dict[str, Any]
@@ -63,8 +100,12 @@ def field(row: Row, path: str) -> Any:
 
 
 def cost_ms(row: Row) -> float:
-    """What water adds on the rasteriser: the captured or mirrored image, and the trace."""
+    """What water adds on the rasteriser: captured or mirrored images, their pyramids, the trace."""
     return field(row, "image_ms.median") + field(row, "trace_ms.median")
+
+
+def search_ms(row: Row) -> float:
+    return field(row, "pyramid_ms.median") + field(row, "trace_ms.median")
 
 
 def pixels(row: Row, classes: Iterable[str] = CLASSES, outcome: str = "pixels") -> int:
@@ -109,7 +150,7 @@ class Experiment:
     @staticmethod
     def _named(row: Row) -> Row:
         """The mirrored camera under one name, whichever its bending."""
-        if not str(row.get("method")).startswith(MIRROR):
+        if row.get("method") not in BENDINGS:
             return row
         return {**row, "method": MIRROR, "bending": row["method"]}
 
@@ -127,6 +168,10 @@ class Experiment:
         """Those that occur, in the order of the file."""
         return tuple(dict.fromkeys(row[key] for row in self.rows))
 
+    def sizes(self) -> list[tuple[int, int]]:
+        """[pixels] Those that occur, in the order of the file."""
+        return list(dict.fromkeys((row["width"], row["height"]) for row in self.rows))
+
 
 class BenchData:
     """All files of one machine.
@@ -143,6 +188,8 @@ class BenchData:
         self.directory = directory
         self.accuracy = load("accuracy")
         self.rivals = load("rivals")
+        self.borders = load("borders")
+        self.added = load("added")
         self.table1 = load("table1")
         self.scaling = load("scaling")
         self.quick = any(experiment.quick for experiment in self.experiments)
@@ -151,7 +198,14 @@ class BenchData:
 
     @property
     def experiments(self) -> list[Experiment]:
-        every = (self.accuracy, self.rivals, self.table1, self.scaling)
+        every = (
+            self.accuracy,
+            self.rivals,
+            self.borders,
+            self.table1,
+            self.scaling,
+            self.added,
+        )
         return [experiment for experiment in every if experiment]
 
     @property
@@ -167,21 +221,25 @@ class BenchData:
         """Of accuracy."""
         return self.accuracy.values("method") if self._partial else METHODS
 
+    @property
+    def border_slopes(self) -> tuple[float, ...]:
+        return self.borders.values("slope") if self._partial else BORDER_SLOPES
+
     def _found(self, key: str, expected: tuple) -> tuple:
         if not self._partial:
             return expected
         experiment = self.accuracy or self.rivals
         return experiment.values(key) if experiment else ()
 
-    def sizes(self) -> list[tuple[int, int]]:
-        """[pixels] of table 1."""
-        return list(dict.fromkeys((row["width"], row["height"]) for row in self.table1.rows))
-
     def _check_rows(self) -> None:
         if self.accuracy:
             self._check_grid(self.accuracy, self.methods)
         if self.rivals:
             self._check_grid(self.rivals, RIVALS)
+        if self.borders:
+            self._check_borders()
+        if self.added:
+            self._check_added()
         if self.table1:
             self._check_table1()
         if self.scaling:
@@ -193,9 +251,25 @@ class BenchData:
                 for method in methods:
                     experiment.row(scene=scene, slope=slope, method=method)
 
+    def _check_borders(self) -> None:
+        for scene in BORDER_SCENES:
+            for slope in self.border_slopes:
+                for width, height in self.borders.sizes():
+                    for method in BORDER_METHODS:
+                        self.borders.row(
+                            scene=scene, slope=slope, width=width, height=height, method=method
+                        )
+
+    def _check_added(self) -> None:
+        for triangles in self.added.values("triangles"):
+            self.added.row(triangles=triangles, method=None)
+            for slope in (CALM, MAIN_SLOPE):
+                for method in ADDED_METHODS:
+                    self.added.row(triangles=triangles, slope=slope, method=method)
+
     def _check_table1(self) -> None:
         for slope in (CALM, MAIN_SLOPE):
-            for width, height in self.sizes():
+            for width, height in self.table1.sizes():
                 for method in TABLE1_METHODS:
                     self.table1.row(slope=slope, width=width, height=height, method=method)
 

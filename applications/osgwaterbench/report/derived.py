@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import statistics
+from typing import Callable
 
 import bench_data as bench
 from bench_data import BenchData, Experiment, Row, cost_ms, field
@@ -21,6 +22,15 @@ def of_scenes(
     data: BenchData, experiment: Experiment, method: str, slope: float = bench.MAIN_SLOPE
 ) -> list[Row]:
     return [experiment.row(scene=scene, slope=slope, method=method) for scene in data.scenes]
+
+
+def of_borders(data: BenchData, method: str, slope: float, size: tuple[int, int]) -> list[Row]:
+    """One for each scene."""
+    width, height = size
+    return [
+        data.borders.row(scene=scene, slope=slope, width=width, height=height, method=method)
+        for scene in bench.BORDER_SCENES
+    ]
 
 
 def mean(values: list[float]) -> float:
@@ -59,8 +69,12 @@ def median_of(rows: list[Row], path: str) -> float | None:
 
 
 def relative_cost(rows: list[Row], references: list[Row]) -> float:
-    """Geometric mean over scenes of the cost, the reference's being 1."""
-    ratios = [cost_ms(row) / cost_ms(other) for row, other in zip(rows, references, strict=True)]
+    return relative_time(rows, references, cost_ms)
+
+
+def relative_time(rows: list[Row], references: list[Row], time: Callable[[Row], float]) -> float:
+    """Geometric mean over scenes of a time, the reference's being 1."""
+    ratios = [time(row) / time(other) for row, other in zip(rows, references, strict=True)]
     return statistics.geometric_mean(ratios)
 
 

@@ -29,7 +29,15 @@ TICK_DIGITS = (
     tuple(half / 2.0 for half in range(2, 20)),
 )
 
-OWN_SEARCHES = (bench.DEFAULT, bench.SEQUENTIAL, bench.BINARY)
+OWN_SEARCHES = (bench.DEFAULT, bench.SEARCH, bench.SEQUENTIAL, bench.BINARY)
+BESIDE_OTHERS = (  # left out of the plots of error against time, for room
+    "hierarchical, thickness 0.1",
+    "hierarchical, thickness 2.0",
+    "hierarchical, capture scale 0.25",
+    "hierarchical, trace scale 0.25",
+    "sequential, stride 2",
+    "sequential, stride 8",
+)
 OWN, OTHERS, GREY = "#0072b2", "#d55e00", "#888888"
 STAGES = {
     "image_ms": ("captured image", "#e69f00"),
@@ -198,6 +206,7 @@ def pareto_panel(data: BenchData, scene: str, index: int) -> list[str]:
     rows = [
         data.accuracy.row(scene=scene, slope=bench.MAIN_SLOPE, method=method)
         for method in data.methods
+        if method not in BESIDE_OTHERS
     ]
     points = [(cost_ms(row), wrong_percent(row), short_name(row["method"])) for row in rows]
     is_own = [row["method"].startswith(OWN_SEARCHES) for row in rows]

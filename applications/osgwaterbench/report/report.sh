@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is needed (Debian), builds, measures anew what docs/accuracy.md says (30 to 40
-# minutes on two cores), and makes the document.
+# Installs what is needed (Debian), builds, measures anew what docs/accuracy.md says (an hour and
+# more on two cores), and makes the document.
 # With --quick: some minutes, small pictures, into build/report, for trying.
 #
 # Measurements of a GPU stand beside them where they lie in docs/accuracy/gpu: configure another
@@ -12,7 +12,7 @@ cd "$(dirname "$0")/../../.."
 
 report=applications/osgwaterbench/report
 measured=build/report/accuracy # only complete results go on from here
-experiments="table1 accuracy rivals scaling"
+experiments="table1 accuracy rivals borders scaling added"
 
 case "$*" in
     "") options="" ;;

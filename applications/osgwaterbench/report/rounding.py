@@ -48,7 +48,7 @@ def tiny(value: float | None) -> str:
 
 
 def factor(value: float | None) -> str:
-    return NONE if value is None else significant(value, 2)
+    return NONE if value is None else significant(value, 2).replace("-", "−")
 
 
 def frames_a_second(value: float) -> str:

@@ -5,18 +5,31 @@ from __future__ import annotations
 import bench_data as bench
 import derived
 import rounding
-from bench_data import BenchData, Row, cost_ms, field, right_percent
+from bench_data import BenchData, Row, cost_ms, field, right_percent, search_ms
+from derived import mean_right, of_borders, of_scenes
 
 # Of the tables that cannot hold all methods.
 MAIN_METHODS = (
     bench.DEFAULT,
+    bench.SEARCH,
+    bench.MIRRORED,
+    bench.BOTH,
+    "sequential, stride 4",
+    bench.BINARY,
+    "paper",
+    bench.BASELINE,
+)
+SEARCHES = (  # in the view's capture
+    bench.SEARCH,
     bench.SEQUENTIAL,
     "sequential, stride 4",
     bench.BINARY,
     "paper",
     "paper-binary",
-    "baseline",
+    bench.BASELINE,
 )
+# Of borders: the view's capture without a band and with one, the mirrored eye's, and both.
+BORDER_CAPTURES = (bench.PLAIN, bench.ADAPTIVE_BAND, bench.MIRRORED, bench.BOTH_ADAPTIVE)
 
 CLASS_NAMES = {
     "sky": "sky",
@@ -44,12 +57,20 @@ def main_methods(data: BenchData) -> list[str]:
     return [method for method in MAIN_METHODS if method in data.methods]
 
 
+def size_name(size: tuple[int, int]) -> str:
+    return "{}x{}".format(*size)
+
+
 # --- On top -----------------------------------------------------------------------------------
 
 
 def summary(data: BenchData) -> str:
     entries = [
-        ("**the default** (hierarchical)", data.accuracy, bench.DEFAULT),
+        ("**the default** (automatic)", data.accuracy, bench.DEFAULT),
+        ("the view's capture, with its band", data.accuracy, bench.SEARCH),
+        ("the mirrored eye's capture", data.accuracy, bench.MIRRORED),
+        ("both", data.accuracy, bench.BOTH),
+        ("`traceScale` 0.5", data.accuracy, "hierarchical, trace scale 0.50"),
         ("every column in turn (sequential)", data.accuracy, bench.SEQUENTIAL),
         ("every fourth column (stride 4)", data.accuracy, "sequential, stride 4"),
         ("binary", data.accuracy, "binary"),
@@ -60,28 +81,40 @@ def summary(data: BenchData) -> str:
     ]
     rows = []
     for name, experiment, method in entries:
-        found = derived.of_scenes(data, experiment, method)
-        references = derived.of_scenes(data, experiment, bench.DEFAULT)
+        found = of_scenes(data, experiment, method)
+        references = of_scenes(data, experiment, bench.DEFAULT)
         worst = derived.worst(found)
         rows.append(
             [
                 name,
-                rounding.percent(derived.mean_right(found)),
+                rounding.percent(mean_right(found)),
                 f"{rounding.percent(right_percent(worst))} ({worst['scene']})",
+                calm_right(data, experiment, method),
                 rounding.offset_pixels(derived.median_of(found, "hit_error_px.median")),
                 rounding.steps(derived.mean([field(row, "picture.rmse_8bit") for row in found])),
                 rounding.factor(derived.relative_cost(found, references)),
             ]
         )
-    errors = ["hits off by, median px", "picture RMSE"]
-    return markdown(["", "right, mean %", "right, worst %", *errors, "cost"], rows)
+    right = ["right, mean %", "right, worst %", "right when calm, mean %"]
+    return markdown(["", *right, "hits off by, median px", "picture RMSE", "cost"], rows)
+
+
+def calm_right(data: BenchData, experiment: bench.Experiment, method: str) -> str:
+    if bench.CALM not in data.slopes:
+        return rounding.NONE
+    return rounding.percent(mean_right(of_scenes(data, experiment, method, bench.CALM)))
 
 
 ADVICE = {
+    bench.SEARCH: ("`CaptureKind::VIEW`", "waters in several planes"),
+    bench.MIRRORED: ("`CaptureKind::MIRROR`", "calm water"),
+    bench.BOTH: ("`CaptureKind::VIEW_AND_MIRROR`", "waves under boughs and bridges, steep views"),
     "hierarchical, thickness 0.1": ("`thickness` 0.1", "thin things ahead of the water"),
     "hierarchical, thickness 2.0": ("`thickness` 2", "large, deep things only"),
     "hierarchical, capture scale 0.50": ("`captureScale` 0.5", "time, in large pictures"),
     "hierarchical, capture scale 0.25": ("`captureScale` 0.25", "more time, in large pictures"),
+    "hierarchical, trace scale 0.50": ("`traceScale` 0.5", "time, behind things ahead"),
+    "hierarchical, trace scale 0.25": ("`traceScale` 0.25", "more time, behind things ahead"),
     bench.SEQUENTIAL: ("`Search::SEQUENTIAL`", "comparison"),
     "sequential, stride 2": ("the same, `stride` 2", "comparison"),
     "sequential, stride 4": ("the same, `stride` 4", "comparison"),
@@ -90,28 +123,43 @@ ADVICE = {
 }
 
 
+def gains(data: BenchData, method: str, slope: float) -> list[tuple[float, str]]:
+    """[percentage points] of right pixels over the default, with the scene."""
+    found = of_scenes(data, data.accuracy, method, slope)
+    defaults = of_scenes(data, data.accuracy, bench.DEFAULT, slope)
+    return [
+        (right_percent(row) - right_percent(default), row["scene"])
+        for row, default in zip(found, defaults, strict=True)
+    ]
+
+
+def mean_gain(data: BenchData, method: str, slope: float) -> str:
+    if slope not in data.slopes:
+        return rounding.NONE
+    return rounding.points(derived.mean([gain for gain, _ in gains(data, method, slope)]))
+
+
 def advice(data: BenchData) -> str:
-    defaults = derived.of_scenes(data, data.accuracy, bench.DEFAULT)
+    defaults = of_scenes(data, data.accuracy, bench.DEFAULT)
     rows = []
-    for method, (setting, gain) in ADVICE.items():
+    for method, (setting, purpose) in ADVICE.items():
         if method not in data.methods:
             continue
-        found = derived.of_scenes(data, data.accuracy, method)
-        changes = [
-            (right_percent(row) - right_percent(default), row["scene"])
-            for row, default in zip(found, defaults, strict=True)
-        ]
+        changes = gains(data, method, bench.MAIN_SLOPE)
+        found = of_scenes(data, data.accuracy, method)
         rows.append(
             [
                 setting,
-                gain,
-                rounding.points(sum(change for change, _ in changes) / len(changes)),
+                purpose,
+                mean_gain(data, method, bench.CALM),
+                mean_gain(data, method, bench.MAIN_SLOPE),
                 *(f"{rounding.points(c)} ({scene})" for c, scene in (min(changes), max(changes))),
                 rounding.factor(derived.relative_cost(found, defaults)),
             ]
         )
-    points = ["points, all scenes", "where it is worst", "where it is best"]
-    return markdown(["setting", "for", *points, "cost"], rows)
+    waves = f"points, slope {rounding.slope(bench.MAIN_SLOPE)}"
+    header = ["setting", "for", "points, calm", waves, "where it is worst", "where it is best"]
+    return markdown([*header, "cost"], rows)
 
 
 # --- How it was measured ----------------------------------------------------------------------
@@ -147,7 +195,6 @@ def accuracy_row(row: Row) -> list[str]:
         rounding.percent(bench.outcome_percent(row, "sky", "false_hit")),
         percentiles(row, "hit_error_px", rounding.offset_pixels),
         rounding.steps(field(row, "picture.rmse_8bit")),
-        rounding.decibels(field(row, "picture.psnr_db")),
         rounding.similarity(field(row, "picture.ssim")),
         rounding.fetches(field(row, "fetches")),
         rounding.milliseconds(field(row, "image_ms.median")),
@@ -164,7 +211,6 @@ def accuracy(data: BenchData) -> str:
         "sky false %",
         "hit error, px: 50 / 90 / 99 %",
         "RMSE",
-        "PSNR dB",
         "SSIM",
         "fetches",
         "image ms",
@@ -200,9 +246,9 @@ def by_slope(data: BenchData) -> str:
 
 
 def by_class(data: BenchData) -> str:
-    others = ("binary", "paper", "paper-binary")
+    others = (bench.MIRRORED, bench.BOTH, "paper")
     header = ["scene", "true class", "share"]
-    header += ["hierarchical: right", "misplaced", "missed", "false hit"]
+    header += ["automatic: right", "misplaced", "missed", "false hit"]
     rows = []
     for scene in data.scenes:
         own = main_row(data, scene, bench.DEFAULT)
@@ -211,9 +257,7 @@ def by_class(data: BenchData) -> str:
                 continue
             percents = [bench.share(bench.pixels(own, (name,)), bench.pixels(own))]
             percents += [bench.outcome_percent(own, name, outcome) for outcome in bench.OUTCOMES]
-            percents += [
-                right_percent(main_row(data, scene, method), (name,)) for method in others
-            ]
+            percents += [right_percent(main_row(data, scene, method), (name,)) for method in others]
             rows.append([scene, CLASS_NAMES[name], *map(rounding.percent, percents)])
     return markdown(header + [f"{method}: right" for method in others], rows)
 
@@ -221,7 +265,7 @@ def by_class(data: BenchData) -> str:
 def search_error(data: BenchData) -> str:
     rows = []
     for scene in data.scenes:
-        for method in main_methods(data):
+        for method in SEARCHES:
             row = main_row(data, scene, method)
             behind = bench.share(field(row, "search.answered_behind"), bench.pixels(row))
             rows.append(
@@ -272,19 +316,114 @@ def tessellation(data: BenchData) -> str:
     return markdown(header, rows)
 
 
+# --- Borders ----------------------------------------------------------------------------------
+
+
+def border_name(method: str) -> str:
+    return f"{method}, no band" if method in (bench.PLAIN, bench.SEQUENTIAL) else method
+
+
+def border_right(row: Row) -> list[str]:
+    """Right pixels: of all, and of the classes that a plain capture does not hold; false hits."""
+    classes = (bench.CLASSES, *((name,) for name in bench.NOT_IN_IMAGE))
+    return [
+        *(rounding.percent(right_percent(row, names)) for names in classes),
+        rounding.percent(bench.outcome_percent(row, "sky", "false_hit")),
+    ]
+
+
+BORDER_RIGHT = ["right %", "hidden right %", "top right %", "sides right %", "sky false %"]
+
+
+def borders(data: BenchData) -> str:
+    times = ("image_ms.median", "pyramid_ms.median", "trace_ms.median")
+    header = ["method", *BORDER_RIGHT, "fetches", "image ms", "of it pyramid ms", "trace ms"]
+    parts = []
+    for size in data.borders.sizes():
+        by_method = [
+            of_borders(data, method, bench.MAIN_SLOPE, size) for method in bench.BORDER_METHODS
+        ]
+        for rows in zip(*by_method, strict=True):
+            cells = [
+                [
+                    border_name(row["method"]),
+                    *border_right(row),
+                    rounding.fetches(field(row, "fetches")),
+                    *(rounding.milliseconds(field(row, time) or None) for time in times),
+                ]
+                for row in rows
+            ]
+            title = f"**{rows[0]['scene']}**, {size_name(size)}"
+            parts += [title, markdown(header, cells)]
+    return "\n\n".join(parts)
+
+
+def border_exponent(data: BenchData, slope: float, method: str) -> float:
+    """Of the search's time in the number of pixels; mean over the scenes."""
+    sizes = data.borders.sizes()
+    by_size = [of_borders(data, method, slope, size) for size in sizes]
+    times = [[search_ms(row) for row in rows] for rows in zip(*by_size, strict=True)]
+    return derived.mean([derived.exponent(sizes, of_scene) for of_scene in times])
+
+
+def border_search(
+    data: BenchData, slope: float, size: tuple[int, int], method: str, reference: str
+) -> float:
+    """Time of the search, the reference's being 1."""
+    rows, references = (of_borders(data, name, slope, size) for name in (method, reference))
+    return derived.relative_time(rows, references, search_ms)
+
+
+def borders_time(data: BenchData) -> str:
+    sizes = data.borders.sizes()
+    references = (bench.BASELINE, bench.PLAIN)
+    rows = []
+    for slope in data.border_slopes:
+        for method in bench.BORDER_METHODS:
+            ratios = [
+                border_search(data, slope, size, method, reference)
+                for reference in references
+                for size in sizes
+            ]
+            rows.append(
+                [
+                    rounding.slope(slope),
+                    border_name(method),
+                    *map(rounding.factor, ratios),
+                    rounding.exponent(border_exponent(data, slope, method)),
+                ]
+            )
+    header = ["slope", "method"]
+    for name in ("baseline", "no band"):
+        header += [f"over {name}, {size_name(size)}" for size in sizes]
+    return markdown([*header, "exponent"], rows)
+
+
+def borders_by_slope(data: BenchData) -> str:
+    size = data.borders.sizes()[-1]
+    rows = []
+    for slope in data.border_slopes:
+        by_method = [of_borders(data, method, slope, size) for method in BORDER_CAPTURES]
+        for rows_of_scene in zip(*by_method, strict=True):
+            for row in rows_of_scene:
+                name = border_name(row["method"])
+                rows.append([rounding.slope(slope), row["scene"], name, *border_right(row)])
+    return markdown(["slope", "scene", "method", *BORDER_RIGHT], rows)
+
+
 # --- Table 1 ----------------------------------------------------------------------------------
 
 
 def table1_rows(data: BenchData, slope: float, method: str) -> list[Row]:
     return [
         data.table1.row(slope=slope, width=width, height=height, method=method)
-        for width, height in data.sizes()
+        for width, height in data.table1.sizes()
     ]
 
 
 def table1_exponent(data: BenchData, slope: float, method: str, stage: str) -> float:
     times = [field(row, f"{stage}.median") for row in table1_rows(data, slope, method)]
-    return derived.exponent(data.sizes(), times)
+    return derived.exponent(data.table1.sizes(), times)
 
 
 def paper_exponent() -> float:
@@ -293,7 +432,7 @@ def paper_exponent() -> float:
 
 
 def table1(data: BenchData) -> str:
-    sizes = data.sizes()
+    sizes = data.table1.sizes()
     rows = []
     if sizes == list(derived.PAPER_FRAMES):
         frames = [f"{value:g}" for value in derived.PAPER_FRAMES.values()]
@@ -317,7 +456,7 @@ def table1(data: BenchData) -> str:
                     ),
                 ]
             )
-    names = [f"{width}x{height}" for width, height in sizes]
+    names = map(size_name, sizes)
     return markdown(["water", "method", *names, "exponent, frame", "exponent, trace"], rows)
 
 
@@ -346,7 +485,7 @@ def rivals_by_class(data: BenchData) -> str:
     rows = []
     for slope in data.slopes:
         for method in bench.RIVALS:
-            found = derived.of_scenes(data, data.rivals, method, slope)
+            found = of_scenes(data, data.rivals, method, slope)
             rows.append(
                 [
                     rounding.slope(slope),
@@ -405,6 +544,57 @@ def scaling(data: BenchData) -> str:
             )
     header = ["varied", "value", "slope", "image", "trace", "frame", "frame without water"]
     return markdown(header, rows)
+
+
+# --- What water adds to a frame ---------------------------------------------------------------
+
+
+ADDED_NAMES = {bench.MIRROR: "mirrored camera"}
+
+
+def dry_ms(data: BenchData, triangles: float) -> float:
+    return field(data.added.row(triangles=triangles, method=None), "frame_ms.median")
+
+
+def added_over_mirror(data: BenchData, triangles: float, slope: float, method: str) -> float:
+    """What water adds to a frame, the mirrored camera's being 1."""
+    row = data.added.row(triangles=triangles, slope=slope, method=method)
+    return field(row, "added_over_mirrored_camera")
+
+
+def by_triangles(data: BenchData, methods: tuple[str, ...], path: str) -> list[list[str]]:
+    """A row for each number of triangles and slope, with a factor of each method."""
+    return [
+        [
+            rounding.count(triangles),
+            rounding.slope(slope),
+            rounding.milliseconds(dry_ms(data, triangles)),
+            *(
+                rounding.factor(
+                    field(data.added.row(triangles=triangles, slope=slope, method=method), path)
+                )
+                for method in methods
+            ),
+        ]
+        for triangles in data.added.values("triangles")
+        for slope in (bench.CALM, bench.MAIN_SLOPE)
+    ]
+
+
+def added_header(methods: tuple[str, ...]) -> list[str]:
+    names = (ADDED_NAMES.get(method, method) for method in methods)
+    return ["triangles", "slope", "without water, ms", *names]
+
+
+def frame_over_dry(data: BenchData) -> str:
+    methods = bench.ADDED_METHODS
+    return markdown(added_header(methods), by_triangles(data, methods, "over_no_water"))
+
+
+def added(data: BenchData) -> str:
+    methods = bench.ADDED_METHODS[1:]
+    rows = by_triangles(data, methods, "added_over_mirrored_camera")
+    return markdown(added_header(methods), rows)
 
 
 # --- On a GPU ---------------------------------------------------------------------------------

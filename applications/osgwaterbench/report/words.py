@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Callable
+
 import bench_data as bench
 import derived
 import plots
 import rounding
 import tables
 from bench_data import BenchData, Row, field, right_percent
-from derived import mean_right, median_of, of_scenes
+from derived import mean_right, median_of, of_borders, of_scenes
 
 # How much a time may differ between the smallest and the largest and still count as the same: what
 # caches, clocks and a shared machine make of it.
@@ -25,17 +27,20 @@ def rivals_of(data: BenchData, method: str, slope: float = bench.MAIN_SLOPE) -> 
 
 
 def cost_of(data: BenchData, method: str) -> str:
-    cost = derived.relative_cost(rows_of(data, method), rows_of(data, bench.DEFAULT))
+    """That of the hierarchical search in the view's capture being 1."""
+    cost = derived.relative_cost(rows_of(data, method), rows_of(data, bench.SEARCH))
     return rounding.factor(cost)
 
 
 def rival_cost_of(data: BenchData, method: str) -> str:
+    """The default's being 1."""
     cost = derived.relative_cost(rivals_of(data, method), rivals_of(data, bench.DEFAULT))
     return rounding.factor(cost)
 
 
 def loss_of(data: BenchData, method: str) -> str:
-    difference = mean_right(rows_of(data, method)) - mean_right(rows_of(data, bench.DEFAULT))
+    """[percentage points] of the hierarchical search in the view's capture."""
+    difference = mean_right(rows_of(data, method)) - mean_right(rows_of(data, bench.SEARCH))
     return rounding.points(difference)
 
 
@@ -48,8 +53,8 @@ def branch_false(data: BenchData, method: str) -> str:
     return rounding.percent(bench.outcome_percent(row, "sky", "false_hit"))
 
 
-def branch_right(data: BenchData, method: str) -> str:
-    return rounding.percent(right_percent(tables.main_row(data, "branch", method)))
+def scene_right(data: BenchData, scene: str, method: str) -> str:
+    return rounding.percent(right_percent(tables.main_row(data, scene, method)))
 
 
 def median_cost(data: BenchData) -> str:
@@ -62,6 +67,11 @@ def outside_share(data: BenchData) -> str:
     return rounding.percent(derived.mean([plots.not_in_image_percent(row) for row in rows]))
 
 
+def lacking_right(rows: list[Row]) -> str:
+    """[%] of the pixels whose truth the picture does not hold: those that are right."""
+    return rounding.percent(derived.pooled_right(rows, bench.NOT_IN_IMAGE))
+
+
 def lacking_of_wrong(rows: list[Row]) -> str:
     """[%] of the pixels that are not right: whose truth the picture does not hold."""
     lacking = sum(wrong_pixels(row, bench.NOT_IN_IMAGE) for row in rows)
@@ -70,6 +80,17 @@ def lacking_of_wrong(rows: list[Row]) -> str:
 
 def wrong_pixels(row: Row, classes: tuple[str, ...] = bench.CLASSES) -> int:
     return bench.pixels(row, classes) - bench.pixels(row, classes, "correct")
+
+
+def scenes_of_both(data: BenchData) -> int:
+    """In how many the default does what both captures do, and the view's alone does not."""
+    defaults, both, view = (
+        rows_of(data, method) for method in (bench.DEFAULT, bench.BOTH, bench.SEARCH)
+    )
+    return sum(
+        own["classes"] == two["classes"] != one["classes"]
+        for own, two, one in zip(defaults, both, view, strict=True)
+    )
 
 
 def size(conditions: dict) -> str:
@@ -97,10 +118,7 @@ def who_wins(data: BenchData) -> str:
         for own, other in zip(traced, mirrored, strict=True)
         if field(other, "picture.rmse_8bit") < field(own, "picture.rmse_8bit")
     ]
-    lacking = [
-        rounding.percent(derived.pooled_right(rows, bench.NOT_IN_IMAGE))
-        for rows in (mirrored, traced)
-    ]
+    lacking = [lacking_right(rows) for rows in (mirrored, traced)]
     offsets = [
         rounding.offset_pixels(median_of(rows, "hit_error_px.median"))
         for rows in (mirrored, traced, literal)
@@ -112,14 +130,15 @@ def who_wins(data: BenchData) -> str:
     slope = rounding.slope(bench.MAIN_SLOPE)
     return (
         f"On calm water the mirrored camera is right in {calm[0]} % of the pixels in the mean of "
-        f"the scenes, the trace in {calm[1]} %: it draws what the picture lacks. On waves of slope "
-        f"{slope} the trace is right in more pixels in {len(more_right)} of {len(traced)} scenes; "
-        f"half of the mirrored camera's hits are {offsets[0]} pixels or more off, of the trace's "
-        f"{offsets[1]}, of the paper's {offsets[2]}, for one image cannot be bent rightly for near "
-        f"and far things at once. But of what the picture lacks it shows {lacking[0]} % rightly, "
-        f"the trace {lacking[1]} %; and its picture has the smaller RMSE in "
-        f"{enumeration(nearer) or 'none of the scenes'}. The sky alone is right wherever there is "
-        f"nothing else to reflect, which is {rounding.percent(mean_right(sky))} % of the water."
+        f"the scenes, the default, which looks in a mirrored image there, too, in {calm[1]} %. On "
+        f"waves of slope {slope} the default is right in more pixels in {len(more_right)} of "
+        f"{len(traced)} scenes; half of the mirrored camera's hits are {offsets[0]} pixels or more "
+        f"off, of the default's {offsets[1]}, of the paper's {offsets[2]}, for one image cannot be "
+        f"bent rightly for near and far things at once. Of what the picture lacks the mirrored "
+        f"camera shows {lacking[0]} % rightly, the default {lacking[1]} %; the mirrored camera's "
+        f"picture has the smaller RMSE in {enumeration(nearer) or 'none of the scenes'}. The sky "
+        f"alone is right wherever there is nothing else to reflect, which is "
+        f"{rounding.percent(mean_right(sky))} % of the water."
     )
 
 
@@ -200,6 +219,10 @@ def gpu_section(data: BenchData, gpu: BenchData, link: str) -> str:
             tables.beside(data, gpu),
             f"![The same plot of the GPU]({link}/pareto.svg)",
         ]
+    if gpu.borders:
+        parts += ["Borders, the search's time:", tables.borders_time(gpu)]
+    if gpu.added:
+        parts += ["What water adds, the mirrored camera's being 1:", tables.added(gpu)]
     if gpu.table1:
         parts += ["Table 1, frames a second:", tables.table1(gpu)]
     if gpu.rivals:
@@ -209,6 +232,108 @@ def gpu_section(data: BenchData, gpu: BenchData, link: str) -> str:
     if not parts:
         return ""
     return "\n\n".join(["\n## On a GPU", tables.machines(gpu, link), *parts]) + "\n"
+
+
+# --- Borders, and what water adds -------------------------------------------------------------
+
+
+def border_shown(data: BenchData, method: str, classes: tuple[str, ...]) -> str:
+    """[%] of classes shown rightly, at the main slope and the largest size."""
+    rows = of_borders(data, method, bench.MAIN_SLOPE, data.borders.sizes()[-1])
+    return rounding.percent(derived.pooled_right(rows, classes))
+
+
+def border_false(data: BenchData, method: str) -> str:
+    """[%] of the sky, over both scenes."""
+    rows = of_borders(data, method, bench.MAIN_SLOPE, data.borders.sizes()[-1])
+    return rounding.percent(derived.pooled_outcome(rows, "sky", "false_hit"))
+
+
+def band_price(data: BenchData, method: str, time: Callable[[Row], float]) -> str:
+    """Over no band, at the main slope and the largest size."""
+    size = data.borders.sizes()[-1]
+    rows, references = (
+        of_borders(data, name, bench.MAIN_SLOPE, size) for name in (method, bench.PLAIN)
+    )
+    return rounding.factor(derived.relative_time(rows, references, time))
+
+
+def over_baseline(data: BenchData, slope: float, method: str) -> str:
+    """The search's time at both sizes."""
+    factors = [
+        rounding.factor(tables.border_search(data, slope, size, method, bench.BASELINE))
+        for size in data.borders.sizes()
+    ]
+    return enumeration(factors)
+
+
+def added_factors(data: BenchData, method: str, triangles: float) -> str:
+    """Over the mirrored camera's, on calm water and on waves."""
+    return enumeration(
+        [
+            rounding.factor(tables.added_over_mirror(data, triangles, slope, method))
+            for slope in (bench.CALM, bench.MAIN_SLOPE)
+        ]
+    )
+
+
+def border_placeholders(data: BenchData) -> dict:
+    outside, hidden = bench.OUTSIDE, ("hidden",)
+    sizes = data.borders.sizes()
+
+    def exponent(method: str) -> str:
+        return rounding.exponent(tables.border_exponent(data, bench.CALM, method))
+
+    def image_ms(row: Row) -> float:
+        return field(row, "image_ms.median")
+
+    return {
+        "border_sizes": lambda: enumeration([tables.size_name(size) for size in sizes]),
+        "border_size": lambda: tables.size_name(sizes[-1]),
+        "border_plain_outside": lambda: border_shown(data, bench.PLAIN, outside),
+        "border_fixed_outside": lambda: border_shown(data, bench.FIXED_BAND, outside),
+        "border_band_outside": lambda: border_shown(data, bench.ADAPTIVE_BAND, outside),
+        "border_mirror_outside": lambda: border_shown(data, bench.MIRRORED, outside),
+        "border_both_outside": lambda: border_shown(data, bench.BOTH_ADAPTIVE, outside),
+        "border_plain_hidden": lambda: border_shown(data, bench.PLAIN, hidden),
+        "border_band_hidden": lambda: border_shown(data, bench.ADAPTIVE_BAND, hidden),
+        "border_mirror_hidden": lambda: border_shown(data, bench.MIRRORED, hidden),
+        "border_both_hidden": lambda: border_shown(data, bench.BOTH_ADAPTIVE, hidden),
+        "border_band_false": lambda: border_false(data, bench.ADAPTIVE_BAND),
+        "border_mirror_false": lambda: border_false(data, bench.MIRRORED),
+        "border_both_false": lambda: border_false(data, bench.BOTH_ADAPTIVE),
+        "fixed_band_search": lambda: band_price(data, bench.FIXED_BAND, bench.search_ms),
+        "band_search": lambda: band_price(data, bench.ADAPTIVE_BAND, bench.search_ms),
+        "fixed_band_image": lambda: band_price(data, bench.FIXED_BAND, image_ms),
+        "band_image": lambda: band_price(data, bench.ADAPTIVE_BAND, image_ms),
+        "plain_over_baseline_calm": lambda: over_baseline(data, bench.CALM, bench.PLAIN),
+        "plain_over_baseline": lambda: over_baseline(data, bench.MAIN_SLOPE, bench.PLAIN),
+        "band_over_baseline": lambda: over_baseline(data, bench.MAIN_SLOPE, bench.ADAPTIVE_BAND),
+        "plain_exponent": lambda: exponent(bench.PLAIN),
+        "baseline_exponent": lambda: exponent(bench.BASELINE),
+        "borders_tables": lambda: tables.borders(data),
+        "borders_slope_table": lambda: tables.borders_by_slope(data),
+        "borders_time_table": lambda: tables.borders_time(data),
+    }
+
+
+def added_placeholders(data: BenchData) -> dict:
+    triangles = data.added.values("triangles")
+    least, most = min(triangles), max(triangles)
+    return {
+        "added_size": lambda: size(data.added.conditions),
+        "least_triangles": lambda: rounding.count(least),
+        "most_triangles": lambda: rounding.count(most),
+        "added_view_least": lambda: added_factors(data, bench.VIEW, least),
+        "added_frame_least": lambda: added_factors(data, bench.FRAME, least),
+        "added_mirrored_least": lambda: added_factors(data, bench.MIRRORED_CAPTURE, least),
+        "added_view_most": lambda: added_factors(data, bench.VIEW, most),
+        "added_view_band_most": lambda: added_factors(data, bench.VIEW_BAND, most),
+        "added_frame_most": lambda: added_factors(data, bench.FRAME, most),
+        "added_frame_band_most": lambda: added_factors(data, bench.FRAME_BAND, most),
+        "frame_over_dry_table": lambda: tables.frame_over_dry(data),
+        "added_table": lambda: tables.added(data),
+    }
 
 
 # --- All of them ------------------------------------------------------------------------------
@@ -232,6 +357,8 @@ def placeholders(data: BenchData, gpu: BenchData, link: str) -> dict:
         return rounding.exponent(tables.table1_exponent(data, calm, method, "trace_ms"))
 
     return {
+        **border_placeholders(data),
+        **added_placeholders(data),
         "quick_note": lambda: quick_note(data),
         "main_slope": lambda: rounding.slope(bench.MAIN_SLOPE),
         "roughest": lambda: rounding.slope(roughest),
@@ -249,10 +376,24 @@ def placeholders(data: BenchData, gpu: BenchData, link: str) -> dict:
         "worst_scene": lambda: worst["scene"],
         "worst_right": lambda: rounding.percent(right_percent(worst)),
         "visible_right": lambda: rounding.percent(derived.pooled_right(own, ("visible",))),
-        "branch_right": lambda: branch_right(data, bench.DEFAULT),
+        "branch_right": lambda: scene_right(data, "branch", bench.DEFAULT),
         "outside_share": lambda: outside_share(data),
-        "calm_lacking": lambda: lacking_of_wrong(rows_of(data, bench.DEFAULT, calm)),
         "moving_lacking": lambda: lacking_of_wrong(own),
+        "view_lacking_right": lambda: lacking_right(rows_of(data, bench.SEARCH)),
+        "mirrored_lacking_right": lambda: lacking_right(rows_of(data, bench.MIRRORED)),
+        "both_lacking_right": lambda: lacking_right(rows_of(data, bench.BOTH)),
+        # by capture
+        "mirrored_calm": lambda: mean_percent(rows_of(data, bench.MIRRORED, calm)),
+        "view_calm": lambda: mean_percent(rows_of(data, bench.SEARCH, calm)),
+        "view_right": lambda: mean_percent(rows_of(data, bench.SEARCH)),
+        "mirrored_right": lambda: mean_percent(rows_of(data, bench.MIRRORED)),
+        "both_right": lambda: mean_percent(rows_of(data, bench.BOTH)),
+        "scenes_of_both": lambda: str(scenes_of_both(data)),
+        "both_cost": lambda: cost_of(data, bench.BOTH),
+        "boxes_branch_view": lambda: scene_right(data, "boxes-branch", bench.SEARCH),
+        "boxes_branch_both": lambda: scene_right(data, "boxes-branch", bench.BOTH),
+        "branch_view": lambda: scene_right(data, "branch", bench.SEARCH),
+        "branch_both": lambda: scene_right(data, "branch", bench.BOTH),
         # how far off
         "hit_median": lambda: rounding.offset_pixels(median_of(own, "hit_error_px.median")),
         "hit_p99": lambda: rounding.offset_pixels(median_of(own, "hit_error_px.p99")),
@@ -260,27 +401,32 @@ def placeholders(data: BenchData, gpu: BenchData, link: str) -> dict:
         "cost": lambda: median_cost(data),
         "trace": lambda: rounding.milliseconds(median_of(own, "trace_ms.median")),
         "fetches": lambda: rounding.fetches(median_of(own, "fetches")),
+        "search_fetches": lambda: rounding.fetches(
+            median_of(rows_of(data, bench.SEARCH), "fetches")
+        ),
         "sequential_fetches": lambda: rounding.fetches(
             median_of(rows_of(data, bench.SEQUENTIAL), "fetches")
         ),
         "sequential_cost": lambda: cost_of(data, bench.SEQUENTIAL),
         "stride4_cost": lambda: cost_of(data, "sequential, stride 4"),
         "stride4_loss": lambda: loss_of(data, "sequential, stride 4"),
+        "trace_scale_cost": lambda: cost_of(data, "hierarchical, trace scale 0.50"),
+        "trace_scale_loss": lambda: loss_of(data, "hierarchical, trace scale 0.50"),
         "binary_cost": lambda: cost_of(data, "binary"),
         "binary_loss": lambda: loss_of(data, "binary"),
         "noise": lambda: rounding.percent(derived.middle_half_width(data.accuracy.rows)),
         # settings
         "binary_missed": lambda: missed(data, "binary"),
-        "default_missed": lambda: missed(data, bench.DEFAULT),
+        "search_missed": lambda: missed(data, bench.SEARCH),
         "thin_missed": lambda: missed(data, "hierarchical, thickness 0.1"),
         "thick_missed": lambda: missed(data, "hierarchical, thickness 2.0"),
         "thin_false": lambda: branch_false(data, "hierarchical, thickness 0.1"),
-        "default_false": lambda: branch_false(data, bench.DEFAULT),
+        "search_false": lambda: branch_false(data, bench.SEARCH),
         "thick_false": lambda: branch_false(data, "hierarchical, thickness 2.0"),
         # rivals
         "paper_right": lambda: mean_percent(rivals_of(data, "paper")),
         "paper_cost": lambda: rival_cost_of(data, "paper"),
-        "paper_branch_right": lambda: branch_right(data, "paper"),
+        "paper_branch_right": lambda: scene_right(data, "branch", "paper"),
         "mirror_right": lambda: mean_percent(rivals_of(data, bench.MIRROR)),
         "mirror_calm_right": lambda: mean_percent(rivals_of(data, bench.MIRROR, calm)),
         "mirror_rough_right": lambda: mean_percent(rivals_of(data, bench.MIRROR, roughest)),
@@ -289,7 +435,7 @@ def placeholders(data: BenchData, gpu: BenchData, link: str) -> dict:
         "pictures": lambda: pictures(data, link),
         # table 1
         "table1_scene": lambda: data.table1.conditions["scene"],
-        "exponent_hierarchical": lambda: exponent(bench.DEFAULT),
+        "exponent_hierarchical": lambda: exponent(bench.SEARCH),
         "exponent_sequential": lambda: exponent(bench.SEQUENTIAL),
         "exponent_binary": lambda: exponent("binary"),
         "paper_exponent": lambda: rounding.exponent(tables.paper_exponent()),
