@@ -144,6 +144,20 @@ double TrochoidalWaves::getMaxSlope() const
     return steepness / std::sqrt(1.0 - steepness * steepness);
 }
 
+// The slope s sin / (1 - s cos) of one wave of steepness s, squared, is met over the part
+// (1 - s cos) of the still level: the integral over all angles is 2 pi (1 - sqrt(1 - s^2)).
+// Waves of different wave vectors are uncorrelated.
+double TrochoidalWaves::getRmsSlope() const
+{
+    double sum = 0.0;
+    for (const TrochoidalWave& wave : _waves)
+    {
+        const double steepness = waveNumber(wave) * wave.amplitude;
+        sum += 1.0 - std::sqrt(1.0 - steepness * steepness);
+    }
+    return std::sqrt(sum);
+}
+
 double TrochoidalWaves::getShortestLength() const
 {
     double shortest = std::numeric_limits<double>::infinity();

@@ -15,22 +15,36 @@ using namespace osgWaterReflect;
 namespace
 {
 
-NdcExtent reflectedBy(const MetWater& met, const glm::dmat4& clipFromEye, double time)
+// Slopes up to this times their root mean square are those of all but the steepest places: of a
+// sum of many waves' places 98 %.
+const double MOST_SLOPES = 2.0;
+
+struct Reflected
+{
+    NdcExtent byAll;
+    NdcExtent byMost; // but for the steepest places
+};
+
+Reflected reflectedBy(const MetWater& met, const glm::dmat4& clipFromEye, double time)
 {
     const WaveModel* const waves = met.water->getWaves();
-    NdcExtent extent;
+    const double maxSlope = waves ? waves->getMaxSlope() : 0.0;
+    const double mostSlopes = waves ? std::min(MOST_SLOPES * waves->getRmsSlope(), maxSlope) : 0.0;
+    Reflected reflected;
     for (const osg::ref_ptr<StillWater>& still : *met.sheets)
     {
         ReflectingSheet sheet;
         sheet.hull = still->hull();
         sheet.eyeFromSurface = met.eyeFromLocal * still->localFromSurface();
         sheet.amplitude = waves ? waves->getAmplitude() : 0.0;
-        sheet.maxSlope = waves ? waves->getMaxSlope() : 0.0;
         const double height = heightOfEye(sheet.eyeFromSurface, clipFromEye, waves, time);
         sheet.side = height < 0.0 ? -1.0 : 1.0;
-        extent = unite(extent, reflectedExtent(sheet, clipFromEye));
+        sheet.maxSlope = maxSlope;
+        reflected.byAll = unite(reflected.byAll, reflectedExtent(sheet, clipFromEye));
+        sheet.maxSlope = mostSlopes;
+        reflected.byMost = unite(reflected.byMost, reflectedExtent(sheet, clipFromEye));
     }
-    return extent;
+    return reflected;
 }
 
 // The view with a band of shares of its size on each side.
@@ -38,6 +52,12 @@ NdcExtent widenedBy(double share)
 {
     const double side = 1.0 + 2.0 * share;
     return {-side, side, -side, side};
+}
+
+// What of it is worth capturing.
+NdcExtent needed(const NdcExtent& reflected, const NdcExtent& scene)
+{
+    return unite(NdcExtent(), intersect(reflected, scene));
 }
 
 } // namespace
@@ -55,7 +75,9 @@ BandDemand::BandDemand(const std::vector<MetWater>& waters, const glm::dmat4& cl
         if (settings.guardBand != GuardBandKind::ADAPTIVE || settings.maxExtraPixels == 0.0)
             continue;
         _maxExtraPixels = std::max(_maxExtraPixels, settings.maxExtraPixels);
-        _reflected = unite(_reflected, reflectedBy(met, clipFromEye, time));
+        const Reflected reflected = reflectedBy(met, clipFromEye, time);
+        _reflected = unite(_reflected, reflected.byAll);
+        _mostlyReflected = unite(_mostlyReflected, reflected.byMost);
     }
     const NdcExtent view;
     _adapts = _reflected.left < view.left || _reflected.right > view.right ||
@@ -68,21 +90,19 @@ NdcExtent BandDemand::possible() const
     return unite(widenedBy(_fixedShare), intersect(_reflected, widenedBy(_maxExtraPixels)));
 }
 
-NdcExtent BandDemand::needed(const NdcExtent& scene) const
-{
-    return unite(NdcExtent(), intersect(_reflected, scene));
-}
-
 bool BandDemand::serves(const NdcExtent& scene, const glm::ivec2& viewSize) const
 {
     bool cut = false;
-    bandFor(needed(scene), viewSize, _maxExtraPixels, &cut);
-    return !cut;
+    const GuardBand most =
+        bandFor(needed(_mostlyReflected, scene), viewSize, _maxExtraPixels, &cut);
+    const GuardBand given = bandFor(needed(_reflected, scene), viewSize, _maxExtraPixels);
+    return !cut && most.left <= given.left && most.right <= given.right &&
+           most.bottom <= given.bottom && most.top <= given.top;
 }
 
 GuardBand BandDemand::band(const NdcExtent& scene, const glm::ivec2& viewSize) const
 {
-    const GuardBand adapted = bandFor(needed(scene), viewSize, _maxExtraPixels);
+    const GuardBand adapted = bandFor(needed(_reflected, scene), viewSize, _maxExtraPixels);
     // A fixed band is never cut down: with a whole side each, it has nine times the view's pixels.
     const GuardBand fixed = bandFor(widenedBy(_fixedShare), viewSize, 8.0);
     return {std::max(adapted.left, fixed.left), std::max(adapted.right, fixed.right),

@@ -28,16 +28,16 @@ public:
     /// [pixels] What of it is captured where the scene reaches so far.
     GuardBand band(const NdcExtent& scene, const glm::ivec2& viewSize) const;
 
-    /// Whether an ADAPTIVE band reaches so far without being cut down.
+    /// Whether an ADAPTIVE band, cut down to its ceiling, reaches as far as the rays of all but the
+    /// steepest places of waves.
     bool serves(const NdcExtent& scene, const glm::ivec2& viewSize) const;
 
     /// [pixels] The widest and the tallest image that any band of these waters' settings makes.
     glm::ivec2 largestSize(const glm::ivec2& viewSize) const;
 
 private:
-    NdcExtent needed(const NdcExtent& scene) const;
-
-    NdcExtent _reflected; // of ADAPTIVE bands
+    NdcExtent _reflected;       // of ADAPTIVE bands
+    NdcExtent _mostlyReflected; // but for the steepest places
     double _fixedShare = 0.0;
     double _maxExtraPixels = 0.0;
     bool _adapts = false;

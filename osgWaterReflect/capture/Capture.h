@@ -73,7 +73,8 @@ public:
     /// What of that lies beyond the view.
     const GuardBand& band() const { return _band; }
 
-    /// Whether its ADAPTIVE band, were it as wide as was asked for, would not be cut down.
+    /// Whether its ADAPTIVE band, were it as wide as was asked for, would reach far enough for the
+    /// rays of all but the steepest places of waves.
     bool bandServes() const { return _bandServes; }
 
     /// From the view's eye space to the capture's own clip space, near and far as they were fitted.

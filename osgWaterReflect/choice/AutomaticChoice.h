@@ -11,7 +11,8 @@ struct ViewFacts
 {
     bool calm = true;         ///< all of them
     int planes = 1;           ///< that they lie in
-    bool bandServes = true;   ///< the guard band reaches as far as they reflect, under its ceiling
+    bool bandServes = true;   ///< under its ceiling the guard band reaches as far as they reflect,
+                              ///< but for the steepest places of waves
     bool redrawsAlike = true; ///< the scene drawn once more has the same shadows
 };
 
@@ -21,7 +22,7 @@ struct ViewFacts
 /// |---|---|
 /// | FRAME, without a guard band | the scene drawn once more would have other shadows |
 /// | MIRROR | all are calm and in one plane: it is exact, undersides included |
-/// | VIEW_AND_MIRROR | in one plane, but the ceiling cuts the band down: steep views, high waves |
+/// | VIEW_AND_MIRROR | in one plane, but the ceiling cuts the band short: steep views, high waves |
 /// | VIEW | elsewhere: one drawing of the scene for all planes |
 ///
 /// The search is HIERARCHICAL, in captures of any size.

@@ -133,7 +133,7 @@ TEST_CASE("a calm pond is captured by the mirrored eye only, ponds at two levels
 }
 
 // Falls with the rules of settle(), and where the view's capture does not say whether it serves.
-TEST_CASE("waves are reflected in the view's capture, and where its band is cut in both")
+TEST_CASE("waves are reflected in the view's capture, and where its band is too short in both")
 {
     BoxesView view;
     view.lake->setWaves(TrochoidalWaves::createBreeze(2.0, 0.05));
@@ -146,6 +146,28 @@ TEST_CASE("waves are reflected in the view's capture, and where its band is cut 
     view.lake->setWaves(nullptr);
     view.scene->removeChildren(2, 1);
     CHECK(view.kinds() == "m");
+}
+
+// Falls when BandDemand::serves asks for the rays of the steepest places, too.
+TEST_CASE("a band that only the steepest places of waves leave serves")
+{
+    BoxesView view;
+    view.scene->addChild(
+        scenes::createBox(osg::Vec3(0, 0, 30), osg::Vec3(400, 400, 1), osg::Vec4(1, 1, 1, 1)));
+    view.turn(2.0);
+    const auto pixels = [&]
+    {
+        const osg::Image& image = *view.captured->images[0].windowZ;
+        return image.s() * image.t();
+    };
+
+    view.lake->setWaves(TrochoidalWaves::createBreeze(2.0, 0.15));
+    CHECK(view.kinds() == "v");
+    CHECK(pixels() > 0.99 * 2 * 160 * 120); // the ceiling bites, whole pixels apart
+
+    view.lake->setWaves(TrochoidalWaves::createBreeze(2.0, 0.3));
+    CHECK(view.kinds() == "vm");
+    CHECK(pixels() > 0.99 * 2 * 160 * 120);
 }
 
 // Falls where anything is decided by what the cull before has met.

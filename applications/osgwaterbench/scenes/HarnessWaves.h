@@ -37,15 +37,13 @@ public:
     ///   slope  [1] finite, >= 0; multiplies every wave
     bool setWaves(const std::vector<HarnessWave>& waves, double slope);
 
-    /// Root of the mean square of the slope over all places [1].
-    double getRmsSlope() const;
-
     double getHeight(const osg::Vec2d&, double) const override { return 0.0; }
     osg::Vec3d getNormal(const osg::Vec2d& place, double time) const override;
     double getAmplitude() const override { return 0.0; }
     /// The largest sum of the waves' slopes, each as steep as it gets to one side or the other: the
     /// least bound where no wave vector is a sum of multiples of others.
     double getMaxSlope() const override;
+    double getRmsSlope() const override;
     /// Infinite, for no mesh need follow flat water.
     double getShortestLength() const override;
     double getChordError(double) const override { return 0.0; }
