@@ -71,6 +71,15 @@ inline glm::dvec4 eyePointOf(const glm::dmat4& clipFromEye)
     return glm::dvec4(along.z < 0.0 ? -along : along, 0.0);
 }
 
+/// From clip space to clip w times (x, y, 1 - windowZ, 1), x and y in [-1, 1] in the image.
+inline glm::dmat4 imageFromClip()
+{
+    glm::dmat4 image(1.0);
+    image[2][2] = -0.5;
+    image[3][2] = 0.5;
+    return image;
+}
+
 /// How windowZ changes between two projections that differ in near and far only, whatever their
 /// kind: 1 - windowZ in the second is x + y (1 - windowZ in the first). Counted from the far end,
 /// where most of a scene lies, single precision does not run short.

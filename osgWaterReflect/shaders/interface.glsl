@@ -27,7 +27,8 @@ struct Capture
     sampler2D windowZ;    // in [0, 1]; 1 where nothing was drawn
     sampler2D cells;      // its pyramid (pyramid/Pyramid.h)
     vec2 size;            // [pixels]
-    mat4 clipFromEye;     // from the view's eye space, wherever the capture's own eye is
+    mat4 imageFromEye;    // from the view's eye space, wherever the capture's own eye is, to clip w
+                          // times (x, y, 1 - windowZ, 1): from the far plane windowZ keeps its digits
     vec2 depthScale;      // (|C_zw|, |C_zz|) / 2 of its own projection; the one not in use is 0
     float pixelExtent;    // side of a pixel: at unit depth in perspective, else itself
     float firstColumn;    // 1 where a ray's own pixel shows what lies under the water: nothing to

@@ -23,18 +23,18 @@ struct ImageRay
     int endReason;        // what the ray comes to at its end
 };
 
-// One half space `origin + t slope >= 0` of the image's frustum. 1 / t is kept, so that a ray
-// without end needs no infinity.
+// One bound `origin + u slope >= 0` of what the image holds. 1 / u is kept, so that a ray without end
+// needs no infinity.
 void clipRay(float origin, float slope, int reason,
-             inout float tFirst, inout float inverseLast, inout int endReason)
+             inout float uFirst, inout float inverseLast, inout int endReason)
 {
-    if (slope > 0.0)
+    if (slope >= 0.0)
     {
-        tFirst = max(tFirst, -origin / slope);
+        uFirst = max(uFirst, -origin / max(slope, 1e-30));
     }
-    else if (slope < 0.0)
+    else
     {
-        // A ray that starts on the border and leads out ends where it starts.
+        // A ray that starts on the bound and leads out ends where it starts.
         float inverse = -slope / max(origin, -1e-6 * slope);
         if (inverse > inverseLast)
         {
@@ -44,46 +44,57 @@ void clipRay(float origin, float slope, int reason,
     }
 }
 
-vec3 windowFromClip(Capture capture, vec4 clip)
+// How far from the image's border rays are followed [pixels]. They start at pixels' centres: those
+// along the border have as much room for their rounding.
+const float BORDER_WIDTH = 0.25;
+
+// A place of the image in window space. Where rounding leads out of it, the place on its border.
+vec3 windowFromImage(Capture capture, vec3 image)
 {
-    return (0.5 * clip.xyz / clip.w + 0.5) * vec3(capture.size, 1.0);
+    vec3 window = vec3((0.5 * image.xy + 0.5) * capture.size, 1.0 - image.z);
+    return clamp(window, vec3(vec2(BORDER_WIDTH), 0.0), vec3(capture.size - BORDER_WIDTH, 1.0));
 }
 
+// Every point of the ray is seen at `origin + u slope`, where u = t / clip w runs from 0 at the water
+// toward 1 / (clip w of the direction) at infinity: no point is divided by a depth of its own, which
+// near the eye has lost its digits, and what rounding is left bends nothing.
 ImageRay projectRay(Capture capture, vec3 originEye, vec3 dirEye)
 {
-    vec4 a = capture.clipFromEye * vec4(originEye, 1.0);
-    vec4 b = capture.clipFromEye * vec4(dirEye, 0.0);
-    // The centres of the border pixels bound what can be read. A ray that may meet something in its
-    // own pixel needs room there for its rounding: half as much again.
-    vec2 border = 1.0 - (0.5 + 0.5 * capture.firstColumn) / capture.size;
+    vec4 a = capture.imageFromEye * vec4(originEye, 1.0);
+    vec4 b = capture.imageFromEye * vec4(dirEye, 0.0);
+    vec3 origin = a.xyz / a.w;
+    vec3 slope = b.xyz - b.w * origin;
+    vec2 border = 1.0 - 2.0 * BORDER_WIDTH / capture.size;
 
-    float tFirst = 0.0;
-    float inverseLast = 0.0;
+    float uFirst = 0.0;
+    float inverseLast = max(b.w, 1e-30);
     int endReason = REASON_SKY;
-    clipRay(border.x * a.w + a.x, border.x * b.w + b.x, REASON_LEFT, tFirst, inverseLast, endReason);
-    clipRay(border.x * a.w - a.x, border.x * b.w - b.x, REASON_RIGHT, tFirst, inverseLast, endReason);
-    clipRay(border.y * a.w + a.y, border.y * b.w + b.y, REASON_BOTTOM, tFirst, inverseLast, endReason);
-    clipRay(border.y * a.w - a.y, border.y * b.w - b.y, REASON_TOP, tFirst, inverseLast, endReason);
-    clipRay(a.w + a.z, b.w + b.z, REASON_TOWARD_EYE, tFirst, inverseLast, endReason);
-    vec4 skyClip = inverseLast * a + b;
-    clipRay(a.w - a.z, b.w - b.z, REASON_SKY, tFirst, inverseLast, endReason);
+    clipRay(border.x + origin.x, slope.x, REASON_LEFT, uFirst, inverseLast, endReason);
+    clipRay(border.x - origin.x, -slope.x, REASON_RIGHT, uFirst, inverseLast, endReason);
+    clipRay(border.y + origin.y, slope.y, REASON_BOTTOM, uFirst, inverseLast, endReason);
+    clipRay(border.y - origin.y, -slope.y, REASON_TOP, uFirst, inverseLast, endReason);
+    clipRay(1.0 - origin.z, -slope.z, REASON_TOWARD_EYE, uFirst, inverseLast, endReason);
+    float uSky = 1.0 / inverseLast;
+    clipRay(origin.z, slope.z, REASON_SKY, uFirst, inverseLast, endReason);
 
+    // A ray that starts outside the image (rounding, at a border pixel) and never enters it stays
+    // where it starts.
+    bool enters = uFirst * inverseLast < 1.0;
+    vec2 u = enters ? vec2(uFirst, 1.0 / inverseLast) : vec2(0.0);
     ImageRay ray;
-    // A start outside the image (rounding, at a border pixel) must not pass the end.
-    vec4 startClip = tFirst * inverseLast < 1.0 ? a + tFirst * b : a;
-    vec4 endClip = inverseLast * a + b;
-    ray.start = windowFromClip(capture, startClip);
-    ray.end = windowFromClip(capture, endClip);
-    ray.inverseDepth = vec2(1.0 / startClip.w, inverseLast / endClip.w);
-    ray.tOverDepth = vec2(tFirst / startClip.w, 1.0 / endClip.w);
-    ray.skyWindow = skyClip.w > 0.0 ? windowFromClip(capture, skyClip).xy : ray.start.xy;
+    ray.start = windowFromImage(capture, origin + u.x * slope);
+    ray.end = windowFromImage(capture, origin + u.y * slope);
+    ray.inverseDepth = max(1.0 - b.w * u, 0.0) / a.w;
+    ray.tOverDepth = u;
+    ray.skyWindow = windowFromImage(capture, origin + uSky * slope).xy;
     ray.endReason = endReason;
     return ray;
 }
 
 // Length along the ray from its origin to the point seen at s, 0 at the segment's start, 1 at its
-// end [world units].
+// end [world units]. At infinity, which single precision may take a far plane for, merely very long.
 float rayLengthAt(ImageRay ray, float s)
 {
-    return mix(ray.tOverDepth.x, ray.tOverDepth.y, s) / mix(ray.inverseDepth.x, ray.inverseDepth.y, s);
+    return mix(ray.tOverDepth.x, ray.tOverDepth.y, s) /
+           max(mix(ray.inverseDepth.x, ray.inverseDepth.y, s), 1e-30);
 }

@@ -9,6 +9,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace osgWaterReflect;
@@ -21,6 +22,10 @@ const int WATER_BIN = 9;
 
 const unsigned int ON = osg::StateAttribute::ON | osg::StateAttribute::PROTECTED;
 const unsigned int OFF = osg::StateAttribute::OFF | osg::StateAttribute::PROTECTED;
+
+// [world units] Of thicknesses: what is more is as good as endless, and single precision has room
+// for its products with depths.
+const double ENDLESS = 1e15;
 
 // Waves need no mesh finer than this part of the shortest.
 const double EDGES_PER_WAVE = 8.0;
@@ -62,7 +67,8 @@ void SheetPass::setSearched(const Searched& searched, const std::string& name, u
 
     const Capture::DepthScale depthScale = capture.depthScale();
     bindings::set(*_stateSet, name + bindings::SIZE, osg::Vec2(capture.size().x, capture.size().y));
-    bindings::set(*_stateSet, name + bindings::CLIP_FROM_EYE, toOsgFloat(capture.clipFromEye()));
+    bindings::set(*_stateSet, name + bindings::IMAGE_FROM_EYE,
+                  toOsgFloat(imageFromClip() * capture.clipFromEye()));
     bindings::set(*_stateSet, name + bindings::DEPTH_SCALE,
                   osg::Vec2(depthScale.perspective, depthScale.orthographic));
     bindings::set(*_stateSet, name + bindings::PIXEL_EXTENT,
@@ -83,7 +89,8 @@ void SheetPass::setWater(const WaterSurface& water, const ReflectionSettings& se
     else
         _stateSet->removeTextureAttribute(bindings::UNIT_SKY, osg::StateAttribute::TEXTURE);
 
-    bindings::set(*_stateSet, bindings::THICKNESS, static_cast<float>(settings.thickness));
+    bindings::set(*_stateSet, bindings::THICKNESS,
+                  static_cast<float>(std::min(settings.thickness, ENDLESS)));
     bindings::set(*_stateSet, bindings::STRIDE, static_cast<float>(settings.stride));
     bindings::set(*_stateSet, bindings::REFRACTIVE_INDEX,
                   static_cast<float>(water.getOptics().refractiveIndex));

@@ -1,5 +1,5 @@
 // Distance along the view's axis of what is seen at a windowZ [world units]; perspective only.
 float eyeDepthAt(float windowZ)
 {
-    return eyeCapture.clipFromEye[3][2] / (2.0 * windowZ - 1.0 + eyeCapture.clipFromEye[2][2]);
+    return eyeCapture.imageFromEye[3][2] / (1.0 - windowZ + eyeCapture.imageFromEye[2][2]);
 }

@@ -9,14 +9,15 @@ Reflection traceReflection(vec3 originEye, vec3 dirEye)
 {
     // From the pixel's own place on.
     ImageRay ray = projectRay(eyeCapture, originEye, dirEye);
-    vec4 startClip = eyeCapture.clipFromEye * vec4(originEye, 1.0);
-    ImageColumns columns = columnsBetween(windowFromClip(eyeCapture, startClip).xy, ray.end.xy);
+    vec4 start = eyeCapture.imageFromEye * vec4(originEye, 1.0);
+    vec2 startWindow = windowFromImage(eyeCapture, start.xyz / start.w).xy;
+    ImageColumns columns = columnsBetween(startWindow, ray.end.xy);
     for (int i = 0; i < columns.count; ++i)
     {
         vec2 window = crossingAt(columns, i);
         float windowZ = capturedWindowZ(eyeCapture, window);
         float rayDepth =
-            1.0 / mix(1.0 / startClip.w, ray.inverseDepth.y, shareAt(columns, i));
+            1.0 / mix(1.0 / start.w, ray.inverseDepth.y, shareAt(columns, i));
         float behind = rayDepth - eyeDepthAt(windowZ);
         if (windowZ < 1.0 && behind >= 0.0 && behind <= thickness) return answerCaptured(window);
     }

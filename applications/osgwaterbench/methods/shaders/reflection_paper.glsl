@@ -11,8 +11,8 @@
 vec3 eyeFromWindow(vec2 window, float windowZ)
 {
     vec2 ndc = 2.0 * window / eyeCapture.size - 1.0;
-    vec2 offAxis = vec2(eyeCapture.clipFromEye[2][0], eyeCapture.clipFromEye[2][1]);
-    vec2 scale = vec2(eyeCapture.clipFromEye[0][0], eyeCapture.clipFromEye[1][1]);
+    vec2 offAxis = vec2(eyeCapture.imageFromEye[2][0], eyeCapture.imageFromEye[2][1]);
+    vec2 scale = vec2(eyeCapture.imageFromEye[0][0], eyeCapture.imageFromEye[1][1]);
     return eyeDepthAt(windowZ) * vec3((ndc + offAxis) / scale, -1.0);
 }
 
@@ -45,8 +45,9 @@ Reflection traceReflection(vec3 originEye, vec3 dirEye)
 {
     // From the pixel's own place to where the ray, followed for ever, is last seen.
     ImageRay ray = projectRay(eyeCapture, originEye, dirEye);
-    vec2 start = windowFromClip(eyeCapture, eyeCapture.clipFromEye * vec4(originEye, 1.0)).xy;
-    ImageColumns columns = columnsBetween(start, ray.skyWindow);
+    vec4 start = eyeCapture.imageFromEye * vec4(originEye, 1.0);
+    vec2 startWindow = windowFromImage(eyeCapture, start.xyz / start.w).xy;
+    ImageColumns columns = columnsBetween(startWindow, ray.skyWindow);
     int found = searchColumns(columns, originEye, dirEye);
     if (found == columns.count) return answerSky(ray, dirEye, ray.endReason);
     return answerCaptured(crossingAt(columns, found));
