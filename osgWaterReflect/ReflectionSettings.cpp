@@ -28,8 +28,6 @@ bool ReflectionSettings::check() const
                       static_cast<int>(guardBand));
     if (!expectRange("ReflectionSettings::maxExtraPixels", maxExtraPixels, 0.0, 3.0)) return false;
     if (!expectRange("ReflectionSettings::guardBandShare", guardBandShare, 0.0, 1.0)) return false;
-    if (!(traceScale > 0.0 && traceScale <= 1.0))
-        return refuse("ReflectionSettings::traceScale", "a value in (0, 1]", traceScale);
     return (std::isfinite(frameTimeTarget) && frameTimeTarget >= 0.0) ||
            refuse("ReflectionSettings::frameTimeTarget", "a finite value >= 0", frameTimeTarget);
 }

@@ -21,7 +21,7 @@ double osgWaterReflect::waveNumber(const TrochoidalWave& wave)
 
 osg::Vec2d osgWaterReflect::waveDirection(const TrochoidalWave& wave)
 {
-    const double angle = osg::DegreesToRadians(wave.directionDegrees);
+    const double angle = osg::DegreesToRadians(std::fmod(wave.directionDegrees, 360.0));
     return osg::Vec2d(std::cos(angle), std::sin(angle));
 }
 

@@ -55,7 +55,7 @@ TrochoidalWaves::TrochoidalWaves(const TrochoidalWaves& rhs, const osg::CopyOp& 
 TrochoidalWaves* TrochoidalWaves::createBreeze(double length, double steepness,
                                                double directionDegrees)
 {
-    if (!expectPositive("TrochoidalWaves::createBreeze length", length)) return nullptr;
+    if (!expectRange("TrochoidalWaves::createBreeze length", length, 1e-5, 1e9)) return nullptr;
     if (!(steepness > 0.0 && steepness < 1.0))
     {
         refuse("TrochoidalWaves::createBreeze steepness", "a value in (0, 1)", steepness);
@@ -90,7 +90,7 @@ bool TrochoidalWaves::setWaves(const std::vector<TrochoidalWave>& waves)
         return refuse("TrochoidalWaves::setWaves", "at most 32 waves", waves.size());
     for (const TrochoidalWave& wave : waves)
     {
-        if (!expectPositive("TrochoidalWave::length", wave.length)) return false;
+        if (!expectRange("TrochoidalWave::length", wave.length, 1e-6, 1e9)) return false;
         if (!(std::isfinite(wave.amplitude) && wave.amplitude >= 0.0))
             return refuse("TrochoidalWave::amplitude", "a finite value of at least 0",
                           wave.amplitude);

@@ -145,6 +145,50 @@ TEST_CASE("far from the origin and very late, the shader's waves are as exact as
     CHECK(kilometre.degrees < 0.5);
 }
 
+// Falls when waveNormal divides by a determinant that has become 0, and when setWaves takes lengths
+// that single precision cannot hold.
+TEST_CASE("waves at their limits have unit normals and finite heights everywhere")
+{
+    ShaderProbe& probe = waveProbe();
+    std::mt19937 random(12);
+    const auto uniform = [&](double low, double high)
+    { return std::uniform_real_distribution<double>(low, high)(random); };
+    const auto anyLength = [&] { return std::pow(10.0, uniform(-6.0, 9.0)); };
+    for (int i = 0; i < 60; ++i)
+    {
+        const double steepnesses[] = {1.0 - 1e-12, 1.0 - 1e-7, 0.9999, 0.5, 1e-9};
+        const double steepness = steepnesses[i % 5];
+        std::vector<TrochoidalWave> list;
+        for (int waves = 1 + i % 7 * 5; waves > 0; --waves)
+            list.push_back(steepWave(steepness, anyLength(), uniform(-720.0, 720.0)));
+        for (TrochoidalWave& wave : list)
+            wave.amplitude /= list.size() * (1.0 + 1e-15);
+        const osg::ref_ptr<TrochoidalWaves> waves = new TrochoidalWaves;
+        if (!waves->setWaves(list)) continue; // rounded up to 1
+        const double time = i % 3 ? std::pow(10.0, uniform(0.0, 9.0)) : 0.0;
+        waves->apply(probe.stateSet(), osg::Vec2d(uniform(-1e7, 1e7), uniform(-1e7, 1e7)), time);
+
+        // About the length of one of them, for it is there that crests are met, and anywhere.
+        const double reach = i % 2 ? 2.0 * list.front().length : anyLength();
+        std::vector<osg::Vec4> places, pixels;
+        for (int j = 0; j < 20000; ++j)
+        {
+            places.push_back(osg::Vec4(uniform(-reach, reach), uniform(-reach, reach), 0, 0));
+            const double side = j % 2 ? 0.0 : std::pow(10.0, uniform(-9.0, 9.0));
+            pixels.push_back(osg::Vec4(side, 0, 0, side));
+        }
+        const std::vector<osg::Vec4> answers = probe.run(places, pixels);
+        int wrong = 0;
+        for (const osg::Vec4& answer : answers)
+            wrong +=
+                !(std::abs(osg::Vec3d(answer.x(), answer.y(), answer.z()).length() - 1.0) < 1e-4) ||
+                !std::isfinite(answer.w());
+        INFO(i << ": " << list.size() << " waves, the first of " << list.front().length
+               << " m, steepness " << steepness << ", reach " << reach);
+        CHECK(wrong == 0);
+    }
+}
+
 TEST_CASE("print the table of the shader's errors, for docs/waves.md", "[.table]")
 {
     std::printf("| steepness | waves |");

@@ -8,30 +8,15 @@
 #include <osg/Program>
 #include <osg/Texture2D>
 
-#include <sstream>
 
 namespace
 {
 
-// Includes of pieces are replaced as assembleShader does it, one level deep: pieces that are asked
-// here include nothing but "waves".
 std::string assemble(const std::string& functions, const std::string& waves)
 {
-    std::istringstream lines(functions);
-    std::string text;
-    for (std::string line; std::getline(lines, line);)
-    {
-        const std::size_t start = line.find("#include \"");
-        if (start == std::string::npos)
-        {
-            text += line + "\n";
-            continue;
-        }
-        const std::size_t first = start + 10;
-        const std::string name = line.substr(first, line.find('"', first) - first);
-        text += osgWaterReflect::embeddedShaders.at(name == "waves" ? waves : name);
-    }
-    return text;
+    const char* const name = "probe.frag";
+    const osgWaterReflect::ShaderReplacement piece(name, functions);
+    return osgWaterReflect::assembleShader(name, waves);
 }
 
 osg::ref_ptr<osg::Texture2D> floatTexture(int side, const std::vector<osg::Vec4>& values,

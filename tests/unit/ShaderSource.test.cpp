@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -119,4 +120,20 @@ TEST_CASE("a shader piece is replaced for as long as its replacement lives")
     }
     CHECK(assembleShader("water.frag", "waves_calm.glsl") == before);
     CHECK(ShaderReplacement::all().empty());
+}
+
+// Falls with any texture(), texture2D() or textureCube() in a piece.
+TEST_CASE("no piece samples with a level of detail that depends on its neighbours")
+{
+    // Where a search's loops part from pixel to pixel, it is undefined.
+    const std::regex implicit("\\btexture(1D|2D|3D|Cube|Proj|2DProj)?\\s*\\(");
+    int sampling = 0;
+    for (const auto& piece : embeddedShaders)
+    {
+        const std::string text = assembleShader(piece.first, "waves_calm.glsl");
+        INFO(piece.first);
+        CHECK_FALSE(std::regex_search(text, implicit));
+        sampling += text.find("textureLod(") != std::string::npos;
+    }
+    CHECK(sampling > 0);
 }

@@ -468,7 +468,7 @@ TEST_CASE("waves out of range are refused, by name, and the old waves stay")
         CHECK(waves->getWaves().size() == 1);
         CHECK(waves->getWaves().front().length == 3.0);
     };
-    for (double length : {0.0, -0.0, -1.0, nan, inf, -inf})
+    for (double length : {0.0, -0.0, -1.0, nan, inf, -inf, 0.9e-6, 1.1e9})
         refused("TrochoidalWave::length", {wave(0.01, length)});
     for (double amplitude : {-0.01, nan, inf, -inf})
         refused("TrochoidalWave::amplitude", {wave(amplitude, 2.0)});

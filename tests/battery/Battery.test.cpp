@@ -1,0 +1,102 @@
+// Rays by the hundred thousand on the very functions that draw: what must hold for each of them,
+// and how far single precision leads astray.
+
+#include "../support/Catch.h"
+#include "Examination.h"
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <map>
+
+using namespace battery;
+using osgWaterReflect::Search;
+
+namespace
+{
+
+// [pixels] From one to long, odd and prime, and both ways.
+const glm::ivec2 SIZES[] = {{1, 1},     {1, 7},   {64, 48}, {7, 1},    {127, 101}, {31, 17}, {2, 2},
+                            {640, 480}, {509, 3}, {3, 509}, {257, 33}, {4096, 5},  {5, 4096}};
+
+const int WIDEST = 4096;
+
+struct Searched
+{
+    Search search;
+    double stride;
+    const char* name;
+};
+
+const Searched SEARCHES[] = {{Search::HIERARCHICAL, 1.0, "hierarchical"},
+                             {Search::SEQUENTIAL, 1.0, "sequential"},
+                             {Search::SEQUENTIAL, 7.0, "sequential, stride 7"},
+                             {Search::BINARY, 1.0, "binary"}};
+
+// Images of every kind in turn, with rays of every set for each.
+std::map<std::string, Examination> examineAll(const Searched& searched, int images, int raysEach)
+{
+    std::map<std::string, Examination> bySet;
+    std::mt19937_64 random(20);
+    Examiner examiner(searched.search);
+    for (int i = 0; i < images; ++i)
+    {
+        const auto shown = static_cast<Shown>(i % static_cast<int>(Shown::NUM));
+        const auto lens = static_cast<Lens>(i / 3 % static_cast<int>(Lens::NUM));
+        const int bits[] = {32, 24, 16};
+        RayImage image = createImage(shown, lens, bits[i % 3], SIZES[i % std::size(SIZES)], random);
+        image.stride = searched.stride;
+        for (int set = 0; set < static_cast<int>(RaySet::NUM); ++set)
+        {
+            const auto raySet = static_cast<RaySet>(set);
+            bySet[nameOf(raySet)].add(
+                examiner.examine(image, createRays(raySet, image, raysEach, random), random));
+        }
+    }
+    return bySet;
+}
+
+void check(const Searched& searched, const std::string& set, const Examination& result)
+{
+    std::string faults;
+    for (const auto& [name, ray] : result.faults)
+        faults += "\n" + name + ": " + ray;
+    INFO(searched.name << ", " << set << faults);
+    CHECK(result.rays > 1000);
+    CHECK(result.hits > 0.03 * result.rays);
+    CHECK(result.fetches < 1.01 * result.fetchesInDouble);
+    CHECK(result.faults.empty());
+}
+
+} // namespace
+
+// Falls with each of the faults of tests/mutants that names it.
+TEST_CASE("every ray ends, for a reason, within the image, and as double precision has it")
+{
+    for (const Searched& searched : SEARCHES)
+        for (const auto& [set, result] : examineAll(searched, 39, 64))
+            check(searched, set, result);
+}
+
+// For docs/stability.md: ten million rays.
+TEST_CASE("the full battery, written to test-output/battery.json", "[.full]")
+{
+    nlohmann::json rows;
+    for (const Searched& searched : SEARCHES)
+        for (const auto& [set, result] : examineAll(searched, 65, 4096))
+        {
+            check(searched, set, result);
+            rows.push_back({{"search", searched.name},
+                            {"set", set},
+                            {"rays", result.rays},
+                            {"hits", result.hits},
+                            {"beside", result.beside},
+                            {"wrong", result.wrong},
+                            {"worst_window_z", result.worstWindowZ},
+                            {"worst_pixels", result.worstPixels}});
+        }
+    const nlohmann::json all = {{"nudges", NUDGES}, {"widest", WIDEST}, {"rows", rows}};
+    std::ofstream file(OSGWATERREFLECT_TEST_OUTPUT_DIRECTORY "/battery.json");
+    file << all.dump(1) << "\n";
+    CHECK(file.good());
+}

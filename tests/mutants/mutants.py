@@ -1,0 +1,133 @@
+"""The faults that run.py tries: at least one for each hard case of docs/stability.md."""
+
+from dataclasses import dataclass
+
+SHADERS = "osgWaterReflect/shaders/"
+RAYS = ("test_battery", "every ray ends*")
+
+
+@dataclass
+class Mutant:
+    row: int      # of the table of hard cases
+    fault: str    # in words
+    file: str
+    was: str      # once in the file
+    becomes: str
+    program: str
+    test: str     # a Catch2 filter
+
+
+def shader(row, fault, file, was, becomes, test=RAYS):
+    return Mutant(row, fault, SHADERS + file, was, becomes, *test)
+
+
+def gpu(name):
+    return ("test_gpu", name)
+
+
+def unit(name):
+    return ("test_unit", name)
+
+
+def cpp(row, fault, file, was, becomes, test):
+    return Mutant(row, fault, "osgWaterReflect/" + file, was, becomes, *test)
+
+
+MUTANTS = [
+    shader(1, "pixels a column are inverted though they may be 0", "search_hierarchical.glsl",
+           "vec2 moved = mix(perColumn.xy, vec2(1e-6), lessThan(abs(perColumn.xy), vec2(1e-6)));",
+           "vec2 moved = perColumn.xy;"),
+    shader(1, "a bound that the ray runs along counts as left", "ray.glsl",
+           "if (slope >= 0.0)", "if (slope > 0.0)"),
+    shader(2, "a ray that stays in one place is divided by its length", "search.glsl",
+           "float length = max(abs(signedLength), 0.01);", "float length = abs(signedLength);"),
+    shader(3, "the near plane bounds nothing", "ray.glsl",
+           "    clipRay(1.0 - origin.z, -slope.z, REASON_TOWARD_EYE, uFirst, inverseLast, endReason);\n",
+           ""),
+    shader(4, "the far plane bounds nothing", "ray.glsl",
+           "    clipRay(origin.z, slope.z, REASON_SKY, uFirst, inverseLast, endReason);\n", ""),
+    shader(4, "a ray goes on beyond infinity", "ray.glsl",
+           "float inverseLast = max(b.w, 1e-30);", "float inverseLast = 1e-30;"),
+    shader(5, "a ray may meet what lies under its own pixel", "search.glsl",
+           "if (startsAtWater && toCentre < 0.5 && length > 1.0) toCentre += capture.firstColumn;", ""),
+    shader(6, "a ray ends after a distance", "ray.glsl",
+           "float inverseLast = max(b.w, 1e-30);", "float inverseLast = max(b.w, 0.2);"),
+    shader(7, "a ray that a wave sends down goes down", "reflected.glsl",
+           "return reflected - 2.0 * min(dot(reflected, still), 0.0) * still;", "return reflected;",
+           gpu("a ray that a wave sends down*")),
+    shader(8, "whatever the ray is behind is hit", "search.glsl",
+           "meeting.hit = behind <= (meeting.jump > meeting.thick ? edge + stepZ\n"
+           "                                                          : meeting.thick + 0.5 * stepZ);",
+           "meeting.hit = true;", gpu("what hangs in front of the water*")),
+    shader(9, "the ray's own advance is forgotten", "search.glsl",
+           ": meeting.thick + 0.5 * stepZ);", ": meeting.thick);"),
+    shader(10, "the binary search takes what hides a ray for a hit", "search_binary.glsl",
+           "bool hit = found && behind <= thick + step * abs(extent.z);", "bool hit = found;"),
+    shader(11, "a ray behind something looks at each column", "search_hierarchical.glsl",
+           "bool staysBehind = !trail.inFront && cell.a < 1.0 && leastZ >= cell.a;",
+           "bool staysBehind = false;"),
+    shader(12, "windowZ is a step of single precision too small", "ray.glsl",
+           "1.0 - image.z);", "0.999999 - image.z);"),
+    shader(13, "a rounding error takes in one column more", "search_hierarchical.glsl",
+           "+ 0.999), 1.0);", "+ 1.001), 1.0);"),
+    shader(14, "a cell leaves out its last row", "pyramid_cells.frag",
+           "for (int y = 0; y < CELL; ++y)", "for (int y = 0; y < CELL - 1; ++y)",
+           gpu("a pyramid bounds*")),
+    shader(14, "a larger cell leaves out its last column", "pyramid_merge.frag",
+           "for (int x = 0; x < CELLS_MERGED; ++x)", "for (int x = 0; x < CELLS_MERGED - 1; ++x)",
+           gpu("a pyramid bounds*")),
+    shader(15, "a length is divided by the depth of what is at infinity", "ray.glsl",
+           "max(mix(ray.inverseDepth.x, ray.inverseDepth.y, s), 1e-30);",
+           "mix(ray.inverseDepth.x, ray.inverseDepth.y, s);"),
+    shader(16, "a thickness may be less than a depth buffer's step", "search.glsl",
+           "return max(given, pixelsWindowZ(capture, STEEPEST_SLOPE, inverseDepth)) + 1.2e-7;",
+           "return given;"),
+    shader(17, "background can be hit", "search.glsl",
+           "trail.at.behind + trail.lookAheadZ >= 0.0 && surfaceZ < 1.0;",
+           "trail.at.behind + trail.lookAheadZ >= 0.0;"),
+    shader(18, "rounding may lead out of the image", "ray.glsl",
+           "return clamp(window, vec3(vec2(BORDER_WIDTH), 0.0), vec3(capture.size - BORDER_WIDTH, 1.0));",
+           "return window;"),
+    shader(19, "columns are looked at on their borders", "search.glsl",
+           "floor(start + 0.5) + 0.5 - start", "floor(start + 0.5) - start"),
+    shader(20, "a search gives up after 64 columns", "search.glsl",
+           "columns.count = int(max(length - toCentre, 0.0) / pixelsPerStep) + 2;",
+           "columns.count = min(int(max(length - toCentre, 0.0) / pixelsPerStep) + 2, 64);"),
+    shader(21, "NaN and infinity of the scene's colours are read as they are", "sky.glsl",
+           "vec3 finiteColour(vec3 colour)\n{\n", "vec3 finiteColour(vec3 colour)\n{\n    return colour;\n",
+           gpu("NaN and infinity*")),
+    shader(22, "a piece samples with an implicit level of detail", "reflection.glsl",
+           "return finiteColour(textureLod(capture.colour, uv, 0.0).rgb);",
+           "return finiteColour(texture(capture.colour, uv).rgb);", unit("no piece samples*")),
+    cpp(23, "a place far away is multiplied in single precision", "TrochoidalSum.cpp",
+        "std::fmod(k * (waveDirection(wave) * place), turn)",
+        "std::fmod(static_cast<float>(k * (waveDirection(wave) * place)), turn)",
+        gpu("far from the origin and very late*")),
+    cpp(24, "a late time is multiplied in single precision", "TrochoidalSum.cpp",
+        "std::fmod(frequency * time, turn)", "std::fmod(static_cast<float>(frequency * time), turn)",
+        gpu("waves come back after whole periods")),
+    cpp(25, "normals turn as points do", "Transforms.h",
+        "return glm::transpose(glm::inverse(glm::dmat3(m)));", "return glm::dmat3(m);",
+        gpu("tilted calm water*")),
+    cpp(26, "every view is taken for a perspective one", "Transforms.h",
+        "if (!orthographic) return glm::dvec4(0.0, 0.0, 0.0, 1.0);",
+        "return glm::dvec4(0.0, 0.0, 0.0, 1.0);", gpu("a projection that turns*")),
+    cpp(27, "an empty view is served", "capture/Capture.cpp",
+        "if (!camera || !viewport || viewport->width() < 1.0 || viewport->height() < 1.0) return false;",
+        "if (!camera || !viewport) return false;", gpu("an empty viewport*")),
+    cpp(28, "any thickness is taken", "ReflectionSettings.cpp",
+        '    if (!expectPositive("ReflectionSettings::thickness", thickness)) return false;\n', "",
+        unit("of a hundred thousand random settings*")),
+    shader(27, "a colour is divided by a sum of weights that may be 0", "reflection.glsl",
+           "return sum.a > 0.0 ? sum.rgb / sum.a : closest;", "return sum.rgb / sum.a;",
+           gpu("frames under abuse*")),
+    shader(29, "water is as dense as air from below", "shade.glsl",
+           "float eta = side > 0.0 ? refractiveIndex : 1.0 / refractiveIndex;",
+           "float eta = refractiveIndex;", gpu("from below, water reflects*")),
+    cpp(30, "waves may fold over", "TrochoidalWaves.cpp",
+        "if (!(steepness < 1.0))\n        return refuse", "if (!(steepness < 2.0))\n        return refuse",
+        unit("waves of any value*")),
+    shader(31, "what is under the water is met through a crest", "reflection.glsl",
+           "            sighting.result.reason = REASON_BELOW_WATER;", "            sighting.result.s += 0.0;",
+           gpu("what stands under the water*")),
+]
