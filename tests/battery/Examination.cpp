@@ -21,13 +21,20 @@ const int RAYS_BESIDE = 32;
 const double SAME_PIXEL = 0.5;
 const double SAME_WINDOW_Z = 1e-4;
 
-const int LAST_REASON = 7; // REASON_BEHIND
+// As in shaders/ray.glsl.
+const int REASON_SKY = 1;
+const int LAST_REASON = 7;
+
+double columnsOf(const RayAnswer& ray)
+{
+    const glm::dvec2 extent = glm::abs(glm::dvec2(ray.end - ray.start));
+    return std::max(extent.x, extent.y);
+}
 
 // Change of windowZ along a ray, from column to column.
 double windowZPerColumn(const RayAnswer& ray)
 {
-    const glm::dvec3 extent = glm::abs(ray.end - ray.start);
-    return extent.z / std::max({extent.x, extent.y, 1.0});
+    return std::abs(ray.end.z - ray.start.z) / std::max(columnsOf(ray), 1.0);
 }
 
 // How much of a difference in windowZ the way between two hits along a ray does not account for.
@@ -40,6 +47,7 @@ double windowZApart(const RayAnswer& a, const RayAnswer& b)
 bool decidedAlike(const RayAnswer& a, const RayAnswer& b)
 {
     if (a.reason != b.reason) return false;
+    if (a.reason == REASON_SKY) return glm::distance(a.skyWindow, b.skyWindow) < SAME_PIXEL;
     return !a.isHit() || (glm::distance(glm::dvec2(a.window), glm::dvec2(b.window)) < SAME_PIXEL &&
                           windowZApart(a, b) < SAME_WINDOW_Z + SAME_PIXEL * windowZPerColumn(b));
 }
@@ -63,11 +71,12 @@ int longest(Search search, const RayImage& image, const RayAnswer& answer)
            about;
 }
 
-// Whether the image shows, within a step of a hit, something that the ray has come to there.
+// Whether the image shows something about a hit: no farther off than a surface is followed on from
+// the column that it was reached at, two steps.
 bool hitsSomething(const RayImage& image, const RayAnswer& hit)
 {
     const glm::ivec2 pixel(hit.window);
-    const int reach = static_cast<int>(image.stride);
+    const int reach = 1 + 2 * static_cast<int>(image.stride);
     for (int y = pixel.y - reach; y <= pixel.y + reach; ++y)
         for (int x = pixel.x - reach; x <= pixel.x + reach; ++x)
         {
@@ -144,6 +153,7 @@ void Examination::add(const Examination& rhs)
     worstWindowZ = std::max(worstWindowZ, rhs.worstWindowZ);
     worstPixels = std::max(worstPixels, rhs.worstPixels);
     faults.insert(rhs.faults.begin(), rhs.faults.end());
+    if (firstWrong.empty()) firstWrong = rhs.firstWrong;
 }
 
 Examiner::Examiner(Search search) :
@@ -183,7 +193,9 @@ Examination Examiner::examine(const RayImage& image, const std::vector<Ray>& ray
         result.fetches += answer.fetches;
         result.fetchesInDouble += reference.fetches;
         if (!answer.isHit()) continue;
-        result.worstWindowZ = std::max(result.worstWindowZ, windowZApart(answer, reference) / STEP);
+        if (columnsOf(reference) > 1.0)
+            result.worstWindowZ =
+                std::max(result.worstWindowZ, windowZApart(answer, reference) / STEP);
         result.worstPixels =
             std::max(result.worstPixels,
                      glm::distance(glm::dvec2(answer.window), glm::dvec2(reference.window)));
@@ -217,7 +229,7 @@ Examination Examiner::examine(const RayImage& image, const std::vector<Ray>& ray
     }
     result.wrong = apart.size();
     if (!apart.empty())
-        result.faults.emplace(
-            "wrong", describe(image, rays[apart[0]], answers[apart[0]], references[apart[0]]));
+        result.firstWrong =
+            describe(image, rays[apart[0]], answers[apart[0]], references[apart[0]]);
     return result;
 }

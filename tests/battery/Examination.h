@@ -38,13 +38,14 @@ struct Examination
     /// Decided otherwise than in double precision, and so are rays beside them: by how far.
     std::array<std::int64_t, NUDGES.size()> beside{};
 
-    /// Of hits that both decide alike: how far they are off one ray in windowZ [STEP], and apart in
-    /// the image [pixels].
+    /// Of hits that both decide alike: how far they are off one ray in windowZ, where that is
+    /// longer than a pixel [STEP], and apart in the image [pixels].
     double worstWindowZ = 0.0;
     double worstPixels = 0.0;
 
     /// The first ray of each kind that may not be, for a person to read.
     std::map<std::string, std::string> faults;
+    std::string firstWrong;
 
     void add(const Examination& rhs);
 };

@@ -143,6 +143,34 @@ TEST_CASE("NaN and infinity of the scene's colours do not spread over the water"
     CHECK(notFinite == 0);
 }
 
+// Falls when shadeWater takes the refractive index from either side as it is.
+TEST_CASE("an eye under the water sees it reflect everything beyond 48.6 degrees")
+{
+    const osg::ref_ptr<osg::Group> scene = scenes::createHarbour();
+    const osg::ref_ptr<WaterSurface> lake = scenes::createLake();
+    scene->addChild(lake);
+    OffscreenView view(160, 120, OffscreenView::Format::RGBA32F);
+    // Farther than 2.3 m every pixel of water is seen at more than that.
+    view.look(osg::Vec3d(0, -14, -2), osg::Vec3d(0, 0, -1.5));
+    lake->setDebugView(DebugView::POINT);
+    const osg::ref_ptr<osg::Image> points = copyOf(view.render(scene));
+    lake->setDebugView(DebugView::REFLECTION);
+    const osg::ref_ptr<osg::Image> reflection = copyOf(view.render(scene));
+    lake->setDebugView(DebugView::NONE);
+    const osg::Image& picture = view.render(scene);
+    int water = 0;
+    int different = 0;
+    for (int y = 0; y < view.height(); ++y)
+        for (int x = 0; x < view.width(); ++x)
+        {
+            if (pixel(*points, x, y).w() != -1.0f || pixel(*points, x, y).z() > -3.0f) continue;
+            ++water;
+            different += (pixel(picture, x, y) - pixel(*reflection, x, y)).length() > 1e-5;
+        }
+    CHECK(water > 2000);
+    CHECK(different == 0);
+}
+
 // Falls when lookFor leaves out REASON_BELOW_WATER.
 TEST_CASE("what stands under the water is not reflected, though seen through a crest")
 {

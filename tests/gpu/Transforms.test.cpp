@@ -108,6 +108,32 @@ TEST_CASE("a projection that turns the picture shows the same water, turned")
     CHECK(quarterDifferent <= 5);
 }
 
+// Breaks where normalMatrix (Transforms.h) returns the matrix itself.
+TEST_CASE("unevenly scaled water is the water that its corners make")
+{
+    const osg::ref_ptr<osg::Group> boxes = scenes::together(
+        {scenes::createBox(osg::Vec3(-3, 3, 1), osg::Vec3(2, 2, 4), osg::Vec4(0.9, 0.4, 0.2, 1)),
+         scenes::createBox(osg::Vec3(2, 1, 1.5), osg::Vec3(3, 1, 1), osg::Vec4(0.2, 0.8, 0.4, 1))});
+    const osg::Matrixd worldFromLocal =
+        osg::Matrixd::scale(1.5, 0.8, 0.25) * osg::Matrixd::rotate(0.05, osg::Vec3d(0, 1, 0));
+    const osg::Vec3 sides[] = {{30, 0, 0}, {0, 30, 9}};
+
+    const osg::ref_ptr<osg::MatrixTransform> scaled = new osg::MatrixTransform(worldFromLocal);
+    scaled->addChild(
+        scenes::inView(WaterSurface::createRectangle(osg::Vec3(), sides[0], sides[1])));
+    WaterSurface::Outline corners;
+    for (const auto& [along, across] :
+         {std::pair(-0.5f, -0.5f), {0.5f, -0.5f}, {0.5f, 0.5f}, {-0.5f, 0.5f}})
+        corners.push_back((sides[0] * along + sides[1] * across) * worldFromLocal);
+
+    HarbourWindow view;
+    const osg::ref_ptr<WaterSurface> made = scenes::inView(WaterSurface::createPolygon(corners));
+    const osg::ref_ptr<osg::Image> expected = copyOf(view.render(scenes::together({boxes, made})));
+    const osg::ref_ptr<osg::Image> dry = copyOf(view.render(boxes));
+    CHECK(countDifferent(*expected, *dry, 0.01) > 2000);
+    CHECK(countDifferent(view.render(scenes::together({boxes, scaled})), *expected, 0.01) <= 20);
+}
+
 // Breaks where SheetPass::draw multiplies matrices of world space in single precision.
 TEST_CASE("turned, scaled, mirrored, or at the earth's surface, a scene looks as at the origin")
 {
