@@ -8,7 +8,6 @@
 #include <osg/Program>
 #include <osg/Texture2D>
 
-
 namespace
 {
 
