@@ -40,9 +40,11 @@ Reflected reflectedBy(const MetWater& met, const glm::dmat4& clipFromEye, double
         const double height = heightOfEye(sheet.eyeFromSurface, clipFromEye, waves, time);
         sheet.side = height < 0.0 ? -1.0 : 1.0;
         sheet.maxSlope = maxSlope;
-        reflected.byAll = unite(reflected.byAll, reflectedExtent(sheet, clipFromEye));
+        const NdcExtent byAll = reflectedExtent(sheet, clipFromEye);
         sheet.maxSlope = mostSlopes;
-        reflected.byMost = unite(reflected.byMost, reflectedExtent(sheet, clipFromEye));
+        reflected.byAll = unite(reflected.byAll, byAll);
+        reflected.byMost = unite(
+            reflected.byMost, mostSlopes < maxSlope ? reflectedExtent(sheet, clipFromEye) : byAll);
     }
     return reflected;
 }
