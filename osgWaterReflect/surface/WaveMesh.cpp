@@ -290,8 +290,9 @@ WaveMesh::WaveMesh() : _geometry(createSurfaceGeometry()) {}
 
 void WaveMesh::update(const StillWater& water, const SheetView& view, const SurfaceDetail& detail)
 {
-    if (_water == &water && _view == view && _detail == detail) return;
-    _water = &water;
+    const osg::observer_ptr<const StillWater> sheet = &water;
+    if (_water == sheet && _view == view && _detail == detail) return;
+    _water = sheet;
     _view = view;
     _detail = detail;
 

@@ -7,6 +7,7 @@
 #include <osgWaterReflect/SurfaceDetail>
 
 #include <osg/Geometry>
+#include <osg/observer_ptr>
 
 #include <glm/mat4x4.hpp>
 
@@ -52,7 +53,7 @@ public:
 
 private:
     osg::ref_ptr<osg::Geometry> _geometry;
-    osg::ref_ptr<const StillWater> _water;
+    osg::observer_ptr<const StillWater> _water; // not held: what is drawn dies with its sheet
     SheetView _view;
     SurfaceDetail _detail;
     glm::dvec2 _anchor{0.0};

@@ -168,6 +168,21 @@ TEST_CASE("a viewer outlives its scenes, and holds none of their water")
     CHECK(view.record().numPasses() == 1);
 }
 
+// Breaks where a WaveMesh holds the sheet that it has divided.
+TEST_CASE("water whose waves change holds no more than at first")
+{
+    HarbourView view;
+    const osg::ref_ptr<WaterSurface> lake = scenes::createLake();
+    const osg::ref_ptr<osg::Group> scene = scenes::together({scenes::createHarbour(), lake});
+    for (int i = 0; i < 10; ++i)
+    {
+        lake->setWaves(i % 3 ? TrochoidalWaves::createBreeze(2.0, 0.1) : nullptr);
+        view.render(scene);
+    }
+    CHECK(view.record().numCaptures() == 1);
+    CHECK(view.record().numPasses() == 1);
+}
+
 // Breaks where captureFor does not remove the captures of dead cameras, or passFor the passes of
 // dead waters.
 TEST_CASE("nothing piles up where waters and cameras that render to textures come and go")

@@ -2,13 +2,12 @@
 // go, tilt and shrink to nothing, settings that change from frame to frame.
 
 #include "support/Catch.h"
+#include "support/OffscreenView.h"
 #include "support/Scenes.h"
 
 #include <osgWaterReflect/TrochoidalWaves>
-#include <osgWaterReflect/offscreen/OffscreenContext.h>
 
 #include <osg/MatrixTransform>
-#include <osgViewer/Viewer>
 
 #include <malloc.h>
 
@@ -56,71 +55,6 @@ private:
     std::mt19937 _random;
 };
 
-// Keeps the first GL error. OSG, which looks for errors by itself and takes them away, must not.
-class KeepError : public osg::Camera::DrawCallback
-{
-public:
-    void operator()(osg::RenderInfo&) const override
-    {
-        const GLenum found = glGetError();
-        if (error == GL_NO_ERROR) error = found;
-    }
-    mutable GLenum error = GL_NO_ERROR;
-};
-
-// A view into a floating point image whose size may change.
-class AbusedView
-{
-public:
-    AbusedView() : errors(new KeepError)
-    {
-        _viewer.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
-        camera().setGraphicsContext(createOffscreenContext(64, 64).get());
-        camera().setDrawBuffer(GL_FRONT);
-        camera().setReadBuffer(GL_FRONT);
-        camera().setComputeNearFarMode(osg::Camera::COMPUTE_NEAR_FAR_USING_BOUNDING_VOLUMES);
-        camera().setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
-        camera().setFinalDrawCallback(errors);
-        camera().setClearColor(osg::Vec4(0.3, 0.4, 0.5, 1.0));
-        resize(48, 36);
-    }
-
-    osg::Camera& camera() { return *_viewer.getCamera(); }
-
-    // An image without pixels has a viewport, but nothing to render to.
-    void resize(int width, int height)
-    {
-        size.set(width, height);
-        camera().setViewport(0, 0, width, height);
-        if (width == 0 || height == 0) return;
-        image = new osg::Image;
-        image->allocateImage(width, height, 1, GL_RGBA, GL_FLOAT);
-        image->setInternalTextureFormat(GL_RGBA32F_ARB);
-        camera().detach(osg::Camera::COLOR_BUFFER0);
-        camera().attach(osg::Camera::COLOR_BUFFER0, image);
-        camera().dirtyAttachmentMap();
-    }
-
-    void render(osg::Node* scene, double time)
-    {
-        if (_viewer.getSceneData() != scene) _viewer.setSceneData(scene);
-        if (!_viewer.isRealized())
-        {
-            _viewer.realize();
-            camera().getGraphicsContext()->getState()->setCheckForGLErrors(
-                osg::State::NEVER_CHECK_GL_ERRORS);
-        }
-        _viewer.frame(time);
-    }
-
-    osg::Vec2i size;
-    osg::ref_ptr<osg::Image> image;
-    osg::ref_ptr<KeepError> errors;
-
-private:
-    osgViewer::Viewer _viewer;
-};
-
 class Abuse
 {
 public:
@@ -140,10 +74,10 @@ public:
     double time() const { return _time; }
 
     // Changes some of everything.
-    void step(AbusedView& view)
+    void step(OffscreenView& view)
     {
         aim(view.camera());
-        if (view.size.x() > 1024 || _chance.once(20)) resize(view);
+        if (view.width() > 1024 || _chance.once(20)) resize(view);
         if (_chance.once(2)) _time = _chance.logBetween(1e-3, 1e9);
         osg::MatrixTransform& place = *_places[_chance.integer(0, 2)];
         switch (_chance.integer(0, 5))
@@ -167,8 +101,7 @@ public:
             break;
         }
         for (const auto& each : _places)
-            water(*each)->setDebugView(_chance.once(2) ? WaterSurface::DebugView::HIT
-                                                       : WaterSurface::DebugView::NONE);
+            watch(*water(*each));
     }
 
 private:
@@ -199,7 +132,7 @@ private:
                 0.1, 1000.0);
     }
 
-    void resize(AbusedView& view)
+    void resize(OffscreenView& view)
     {
         if (_chance.once(25)) // of 500 frames one in the mean, for they take long
             return view.resize(4096, 3);
@@ -251,6 +184,26 @@ private:
         settings.traceScale = _chance.once(2) ? 1.0 : _chance.logBetween(1e-3, 1.0);
         settings.frameTimeTarget = _chance.once(4) ? _chance.logBetween(1e-3, 1e3) : 0.0;
         REQUIRE(water.setReflection(settings));
+
+        WaterOptics optics;
+        optics.refractiveIndex = _chance.oneOf({1.0, 1.333, 4.0});
+        REQUIRE(water.setOptics(optics));
+        SurfaceDetail detail;
+        detail.maxEdgePixels = _chance.logBetween(1.0, 1024.0);
+        detail.maxErrorPixels = _chance.logBetween(1e-6, 64.0);
+        detail.maxVertices = _chance.integer(1000, 3000);
+        REQUIRE(water.setDetail(detail));
+    }
+
+    // Half of the frames show the water, half what its picture is made of.
+    void watch(WaterSurface& water)
+    {
+        using DebugView = WaterSurface::DebugView;
+        water.setDebugView(
+            _chance.once(2)
+                ? DebugView::NONE
+                : _chance.oneOf({DebugView::HIT, DebugView::HIT, DebugView::POINT,
+                                 DebugView::NORMAL, DebugView::REFLECTION, DebugView::REASON}));
     }
 
     void roughen(WaterSurface& water)
@@ -267,15 +220,6 @@ private:
     double _time = 0.0;
 };
 
-int countNotFinite(const osg::Image& image)
-{
-    const float* const values = reinterpret_cast<const float*>(image.data());
-    int count = 0;
-    for (int i = 0; i < 4 * image.s() * image.t(); ++i)
-        count += !std::isfinite(values[i]);
-    return count;
-}
-
 // [bytes] That the program holds.
 double heldMemory()
 {
@@ -286,18 +230,14 @@ double heldMemory()
 
 void soak(unsigned int seed, int frames)
 {
-    AbusedView view;
+    OffscreenView view(48, 36, OffscreenView::Format::RGBA32F);
     Abuse abuse(seed);
     double heldEarly = 0.0;
     for (int i = 0; i < frames; ++i)
     {
         abuse.step(view);
-        INFO("seed " << seed << ", frame " << i << ", " << view.size.x() << " x " << view.size.y());
-        view.render(abuse.scene(), abuse.time());
-        CHECK(countNotFinite(*view.image) == 0);
-        // OSG itself raises one where a view is empty, without any water, too.
-        if (view.size.x() > 0) REQUIRE(view.errors->error == GL_NO_ERROR);
-        view.errors->error = GL_NO_ERROR;
+        INFO("seed " << seed << ", frame " << i << ", " << view.width() << " x " << view.height());
+        CHECK(countNotFinite(view.render(abuse.scene(), abuse.time())) == 0);
         if (i == frames / 2) heldEarly = heldMemory();
     }
     const double grown = heldMemory() - heldEarly;

@@ -8,7 +8,8 @@
 #include <string>
 
 /// A viewer without a display that renders a scene frame by frame and hands the pictures out.
-/// Every frame checks glGetError: an error fails the running test.
+/// Every frame checks glGetError: an error fails the running test, unless the view is empty, where
+/// OSG itself raises one.
 class OffscreenView
 {
 public:
@@ -26,6 +27,9 @@ public:
     /// Looks from an eye to a centre, z up. fovyDegrees is vertical.
     void look(const osg::Vec3d& eye, const osg::Vec3d& centre, double fovyDegrees = 46.0);
 
+    /// Gives a view of RGBA32F another size [pixels]; none, too.
+    void resize(int width, int height);
+
     /// Renders one frame at a simulation time [s]; the image stays valid until the next.
     const osg::Image& render(osg::Node* scene, double time = 0.0);
 
@@ -33,6 +37,8 @@ public:
     int height() const { return _height; }
 
 private:
+    void attachImage(GLenum type);
+
     int _width;
     int _height;
     osg::ref_ptr<osg::Image> _image;
@@ -44,6 +50,9 @@ osg::Vec4 pixel(const osg::Image& image, int x, int y);
 
 /// Number of pixels whose colours differ by more than a tolerance in any channel but alpha.
 int countDifferent(const osg::Image& a, const osg::Image& b, double tolerance = 0.0);
+
+/// Number of channels that are NaN or infinite in a picture of RGBA32F.
+int countNotFinite(const osg::Image& image);
 
 /// A copy, for comparing with a later frame.
 osg::ref_ptr<osg::Image> copyOf(const osg::Image& image);

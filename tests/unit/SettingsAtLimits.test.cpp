@@ -1,5 +1,6 @@
 // Settings and waves of any value: each is refused with a message, or serves.
 
+#include "support/AnySettings.h"
 #include "support/Catch.h"
 #include "support/Refusals.h"
 
@@ -7,48 +8,11 @@
 #include <osgWaterReflect/WaterSurface>
 
 #include <cmath>
-#include <limits>
-#include <random>
 
 using namespace osgWaterReflect;
 
 namespace
 {
-
-// Numbers of every size, and what is none.
-class AnyNumber
-{
-public:
-    double operator()()
-    {
-        const double limits[] = {0.0,
-                                 -0.0,
-                                 1.0,
-                                 64.0,
-                                 3.0,
-                                 -1.0,
-                                 std::numeric_limits<double>::quiet_NaN(),
-                                 std::numeric_limits<double>::infinity(),
-                                 -std::numeric_limits<double>::infinity(),
-                                 std::numeric_limits<double>::denorm_min(),
-                                 std::numeric_limits<double>::max()};
-        const int kind = std::uniform_int_distribution<int>(0, 3)(_random);
-        const double limit =
-            limits[std::uniform_int_distribution<std::size_t>(0, std::size(limits) - 1)(_random)];
-        if (kind == 0) return limit;
-        if (kind == 1)
-            return std::nextafter(limit,
-                                  std::uniform_int_distribution<int>(0, 1)(_random) ? 1e9 : -1e9);
-        if (kind == 2)
-            return std::pow(10.0, std::uniform_real_distribution<double>(-30, 30)(_random));
-        return std::uniform_real_distribution<double>(0.0, 1.0)(_random);
-    }
-
-    std::mt19937& random() { return _random; }
-
-private:
-    std::mt19937 _random{4};
-};
 
 bool within(double value, double low, double high)
 {
@@ -78,33 +42,7 @@ TEST_CASE("of a hundred thousand random settings each is refused by name, or is 
     for (int i = 0; i < 100000; ++i)
     {
         const ReflectionSettings before = water->getReflection();
-        ReflectionSettings settings;
-        // One or two members of any value.
-        for (int changes = 0; changes < 2; ++changes)
-            switch (std::uniform_int_distribution<int>(0, 6)(any.random()))
-            {
-            case 0:
-                settings.thickness = any();
-                break;
-            case 1:
-                settings.stride = std::uniform_int_distribution<int>(-3, 70)(any.random());
-                break;
-            case 2:
-                settings.captureScale = any();
-                break;
-            case 3:
-                settings.maxExtraPixels = any();
-                break;
-            case 4:
-                settings.guardBandShare = any();
-                break;
-            case 5:
-                settings.traceScale = any();
-                break;
-            default:
-                settings.frameTimeTarget = any();
-                break;
-            }
+        const ReflectionSettings settings = anyReflection(any);
         const bool accepted = water->setReflection(settings);
         const std::string message = refusals.take();
         taken += accepted;
@@ -128,21 +66,13 @@ TEST_CASE("waves of any value are refused, or are finite everywhere and at any t
     int silent = 0;
     for (int i = 0; i < 20000; ++i)
     {
-        std::vector<TrochoidalWave> list(std::uniform_int_distribution<int>(0, 4)(any.random()));
-        for (TrochoidalWave& wave : list)
-        {
-            if (any.random()() % 2) wave.amplitude = any();
-            if (any.random()() % 2) wave.length = any();
-            if (any.random()() % 4 == 0) wave.directionDegrees = any();
-            if (any.random()() % 4 == 0) wave.phase = any();
-        }
-        const bool accepted = waves->setWaves(list);
+        const bool accepted = waves->setWaves(anyWaves(any));
         silent += accepted != refusals.take().empty();
         taken += accepted;
         if (!accepted) continue;
         for (const double time : {0.0, 1e3, 1e9})
         {
-            const osg::Vec2d place(any.random()() * 1e-4, any.random()() * 1e-5);
+            const osg::Vec2d place(any.between(-2e5, 2e5), any.between(-2e4, 2e4));
             const osg::Vec3d normal = waves->getNormal(place, time);
             const double values[] = {waves->getHeight(place, time),
                                      normal.x(),
