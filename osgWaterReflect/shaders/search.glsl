@@ -28,11 +28,12 @@ Columns columnsOf(Capture capture, ImageRay ray, float pixelsPerStep)
     float signedLength = alongX ? extent.x : extent.y;
     // Shorter than a hundredth of a pixel: the start's own pixel, once, over the whole segment.
     float length = max(abs(signedLength), 0.01);
-    float toCentre = signedLength >= 0.0 ? floor(start + 0.5) + 0.5 - start
-                                         : start - ceil(start - 0.5) + 0.5;
+    float toOwnCentre = (floor(start) + 0.5 - start) * (signedLength < 0.0 ? -1.0 : 1.0);
+    bool ownAhead = toOwnCentre > 0.0;
+    float toCentre = ownAhead ? toOwnCentre : toOwnCentre + 1.0;
     // A ray that starts at the water, and leaves its pixel.
     bool startsAtWater = ray.tOverDepth.x == 0.0;
-    if (startsAtWater && toCentre < 0.5 && length > 1.0) toCentre += capture.firstColumn;
+    if (startsAtWater && ownAhead && length > 1.0) toCentre += capture.firstColumn;
     // Where it may meet something in its pixel, and on calm water lies in that pixel as a whole,
     // the start itself stands for the first column.
     if (capture.firstColumn == 0.0) toCentre -= 1.0;
@@ -106,7 +107,7 @@ Across surfaceAcross(Capture capture, vec2 window, vec2 extent, float ownZ, floa
     float toBeside = fract(place) < 0.5 ? -1.0 : 1.0;
     vec2 beside = abs(extent.x) >= abs(extent.y) ? vec2(0.0, toBeside) : vec2(toBeside, 0.0);
     float besideZ =
-        capturedWindowZ(capture, clamp(window + beside, vec2(0.5), capture.size - 0.5));
+        capturedWindowZ(capture, clamp(floor(window) + beside + 0.5, vec2(0.5), capture.size - 0.5));
     Across across;
     across.continuous = abs(besideZ - ownZ) <= thick;
     across.slope = across.continuous ? (besideZ - ownZ) * toBeside : 0.0;

@@ -41,7 +41,7 @@ TraceResult searchImage(Capture capture, ImageRay ray)
     }
 
     // The nearest place behind a surface is a hit if the ray came no further than its thickness.
-    bool found = surfaceBehind < 1.0;
+    bool found = behind >= 0.0 && surfaceBehind < 1.0;
     float step = sBehind - sFront;
     float thick = thicknessWindowZ(capture, mix(ray.inverseDepth.x, ray.inverseDepth.y, sBehind));
     bool hit = found && behind <= thick + step * abs(extent.z);

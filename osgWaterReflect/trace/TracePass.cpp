@@ -92,9 +92,10 @@ void TracePass::begin()
     _sheets = 0;
     _projection = new osg::RefMatrix;
 
-    // A stage drops what it draws with each frame.
+    // A stage drops what it draws with each frame; the graph would keep the state of sheets that
+    // are gone.
     _stage->reset();
-    _stateGraph->clean();
+    _stateGraph->reset();
     _stage->setInitialViewMatrix(new osg::RefMatrix);
 }
 

@@ -50,7 +50,7 @@ std::map<std::string, Examination> examineAll(const Searched& searched, int imag
         {
             const auto raySet = static_cast<RaySet>(set);
             bySet[nameOf(raySet)].add(
-                examiner.examine(image, createRays(raySet, image, raysEach, random), random));
+                examiner.examine(image, createRays(raySet, image, raysEach, random)));
         }
     }
     return bySet;
@@ -63,10 +63,10 @@ void check(const Searched& searched, const std::string& set, const Examination& 
         faults += "\n" + name + ": " + ray;
     INFO(searched.name << ", " << set << faults << "\nwrong: " << result.firstWrong);
     CHECK(result.rays > 1000);
-    CHECK(result.hits > 0.03 * result.rays);
+    CHECK(result.hits > 0.01 * result.rays);
     CHECK(result.fetches < 1.05 * result.fetchesInDouble);
     CHECK(result.faults.empty());
-    CHECK(result.wrong <= 5e-5 * result.rays); // docs/stability.md says which these are
+    CHECK(result.wrong == 0);
 }
 
 } // namespace
@@ -94,7 +94,8 @@ TEST_CASE("the full battery, written to test-output/battery.json", "[.full]")
                             {"beside", result.beside},
                             {"wrong", result.wrong},
                             {"worst_window_z", result.worstWindowZ},
-                            {"worst_pixels", result.worstPixels}});
+                            {"worst_pixels", result.worstPixels},
+                            {"off_plane_q_pixels", result.offPlaneQPixels}});
         }
     const nlohmann::json all = {{"nudges", NUDGES}, {"widest", WIDEST}, {"rows", rows}};
     std::ofstream file(OSGWATERREFLECT_TEST_OUTPUT_DIRECTORY "/battery.json");

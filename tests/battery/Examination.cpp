@@ -1,7 +1,12 @@
 #include "Examination.h"
 
+#include <osgWaterReflect/Transforms.h>
+#include <osgWaterReflect/reference/PlaneQ.h>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -10,12 +15,15 @@
 
 using namespace battery;
 using osgWaterReflect::Search;
+namespace reference = osgWaterReflect::reference;
 
 namespace
 {
 
-// Rays beside one, at each distance, that are asked whether all are decided as it is.
+// Rays beside one, at each distance, that are asked whether all are decided as it is; and, where
+// all at every distance are, at each once more.
 const int RAYS_BESIDE = 32;
+const int MANY_RAYS_BESIDE = 4096;
 
 // Hits closer than this are of one place [pixels], and on one ray [windowZ].
 const double SAME_PIXEL = 0.5;
@@ -71,19 +79,71 @@ int longest(Search search, const RayImage& image, const RayAnswer& answer)
            about;
 }
 
-// Whether the image shows something about a hit: no farther off than a surface is followed on from
-// the column that it was reached at, two steps.
+double inverseDepthOf(const RayAnswer& hit)
+{
+    return glm::mix(hit.inverseDepth.x, hit.inverseDepth.y, hit.s);
+}
+
+// Depth behind a surface that still counts as inside it [windowZ], as docs/how-it-works.md has it;
+// the greatest within a number of columns from a hit.
+double thicknessAbout(const RayImage& image, const RayAnswer& hit, double columns)
+{
+    const double reach = columns / std::max(columnsOf(hit), 1.0);
+    const auto inverseDepthAt = [&](double s)
+    { return glm::mix(hit.inverseDepth.x, hit.inverseDepth.y, glm::clamp(s, 0.0, 1.0)); };
+    const double inverseDepth =
+        std::max(inverseDepthAt(hit.s - reach), inverseDepthAt(hit.s + reach));
+    const glm::dvec2 scale = image.depthScale();
+    const double given = scale.x * image.thickness * inverseDepth * inverseDepth /
+                             (1.0 + image.thickness * inverseDepth) +
+                         scale.y * image.thickness;
+    const double steep = 4.0 * image.pixelExtent() * (scale.x * inverseDepth + scale.y);
+    return std::max(given, steep) + 2.0 * STEP;
+}
+
+// Whether a hit lies on what the image shows about it, or inside: no farther off than a surface is
+// followed on, at the slope that it has there, by two steps from the column that it was reached at
+// or from the next.
 bool hitsSomething(const RayImage& image, const RayAnswer& hit)
 {
     const glm::ivec2 pixel(hit.window);
-    const int reach = 1 + 2 * static_cast<int>(image.stride);
-    for (int y = pixel.y - reach; y <= pixel.y + reach; ++y)
-        for (int x = pixel.x - reach; x <= pixel.x + reach; ++x)
+    const int reach = 1 + 3 * static_cast<int>(image.stride);
+    double nearest = 2.0;
+    double farthest = -1.0;
+    for (int y = std::max(pixel.y - reach, 0); y <= std::min(pixel.y + reach, image.size.y - 1);
+         ++y)
+        for (int x = std::max(pixel.x - reach, 0); x <= std::min(pixel.x + reach, image.size.x - 1);
+             ++x)
         {
-            if (x < 0 || y < 0 || x >= image.size.x || y >= image.size.y) continue;
-            if (image.windowZ[std::size_t(y) * image.size.x + x] < 1.0f) return true;
+            const double windowZ = image.windowZ[std::size_t(y) * image.size.x + x];
+            if (windowZ >= 1.0) continue;
+            nearest = std::min(nearest, windowZ);
+            farthest = std::max(farthest, windowZ);
         }
-    return false;
+    const double slack = farthest - nearest + (reach + 1) * windowZPerColumn(hit) + STEP;
+    return nearest < 1.0 && hit.window.z >= nearest - slack &&
+           hit.window.z <= farthest + thicknessAbout(image, hit, reach + 1) + slack;
+}
+
+// How far a hit is off the ray, as the plane Q of the paper has it: laid through the eye and the
+// column of the image that the hit was found in, whatever windowZ that shows.
+glm::dvec2 offPlaneQ(const RayImage& image, const Ray& ray, const RayAnswer& hit)
+{
+    const reference::ImageGeometry geometry = {glm::inverse(osgWaterReflect::imageFromClip()) *
+                                                   glm::dmat4(image.imageFromEye()),
+                                               glm::dvec2(image.size)};
+    const glm::dvec3 origin(ray.originEye);
+    const glm::dvec3 dir(ray.dirEye);
+    const glm::dvec3 extent = glm::abs(hit.end - hit.start);
+    const auto lines =
+        extent.x >= extent.y ? reference::ImageLines::COLUMNS : reference::ImageLines::ROWS;
+    const int along = static_cast<int>(lines);
+    const double line = hit.window[along];
+    const double crossing = reference::crossingOnLine(geometry, origin, dir, lines, line);
+    const reference::PlaneQ q =
+        reference::planeOnLine(geometry, lines, line, crossing, glm::dvec2(0.25, 0.5));
+    const glm::dvec3 window = geometry.windowFromEye(origin + q.intersect(origin, dir) * dir);
+    return {std::abs(window[1 - along] - hit.window[1 - along]), std::abs(window.z - hit.window.z)};
 }
 
 glm::vec3 someVector(std::mt19937_64& random)
@@ -92,9 +152,16 @@ glm::vec3 someVector(std::mt19937_64& random)
     return {side(random), side(random), side(random)};
 }
 
-// At random, but of a ray nearly through the eye the first exactly so: that is a decision of its
-// own, and no random ray would make it.
-Disturbance nudge(const RayImage& image, const Ray& ray, double steps, bool isFirst,
+// What double precision may be off by [pixels]: at the hit's depth the ray's origin has few digits.
+double roundingOf(const RayImage& image, const Ray& ray, const RayAnswer& hit)
+{
+    const double digitsLost = glm::length(glm::dvec3(ray.originEye)) * inverseDepthOf(hit);
+    return 1e-7 + 1e-15 * digitsLost * std::max(image.size.x, image.size.y);
+}
+
+// At random, but the first two as no random ray would be, where the ray is so nearly: through the
+// eye, and along axes of the image. These are decisions of their own.
+Disturbance nudge(const RayImage& image, const Ray& ray, double steps, int number,
                   std::mt19937_64& random)
 {
     const float by = static_cast<float>(steps * STEP);
@@ -102,8 +169,18 @@ Disturbance nudge(const RayImage& image, const Ray& ray, double steps, bool isFi
     const glm::dvec3 sight = image.isOrthographic() ? glm::dvec3(0.0, 0.0, 1.0)
                                                     : glm::normalize(glm::dvec3(ray.originEye));
     const glm::dvec3 toSight = (glm::dot(dir, sight) < 0.0 ? -sight : sight) - dir;
-    if (isFirst && glm::length(toSight) < by)
-        return {glm::vec3(0.0f), glm::vec3(toSight), glm::vec3(0.0f), glm::vec3(0.0f)};
+    Disturbance disturbance;
+    if (number == 0 && glm::length(toSight) < by)
+    {
+        disturbance.dirEye = glm::vec3(toSight);
+        return disturbance;
+    }
+    if (number == 1)
+    {
+        disturbance.dirEye = -glm::mix(glm::vec3(0.0f), ray.dirEye,
+                                       glm::lessThan(glm::abs(ray.dirEye), glm::vec3(by)));
+        return disturbance;
+    }
     const glm::vec3 window(image.size, 1.0f);
     return {by * ray.originEye * someVector(random), by * ray.dirEye * someVector(random),
             by * window * someVector(random), by * window * someVector(random)};
@@ -113,9 +190,8 @@ std::string describe(const RayImage& image, const Ray& ray, const RayAnswer& sin
                      const RayAnswer& reference)
 {
     std::ostringstream text;
-    text << std::setprecision(9) << nameOf(image.shown) << ", " << nameOf(image.lens) << ", "
-         << image.size.x << " x " << image.size.y << ", " << image.bits << " bits, thickness "
-         << image.thickness << ", stride " << image.stride;
+    text << std::setprecision(9) << image.name << ", " << image.size.x << " x " << image.size.y
+         << ", thickness " << image.thickness << ", stride " << image.stride;
     const auto write = [&](const char* name, const auto& v)
     { text << ", " << name << " (" << v.x << ", " << v.y << ", " << v.z << ")"; };
     write("origin", ray.originEye);
@@ -147,11 +223,14 @@ void Examination::add(const Examination& rhs)
     withoutReason += rhs.withoutReason;
     tooLong += rhs.tooLong;
     hitNothing += rhs.hitNothing;
+    offTheRay += rhs.offTheRay;
     wrong += rhs.wrong;
     for (std::size_t i = 0; i < beside.size(); ++i)
         beside[i] += rhs.beside[i];
     worstWindowZ = std::max(worstWindowZ, rhs.worstWindowZ);
     worstPixels = std::max(worstPixels, rhs.worstPixels);
+    offPlaneQWindowZ = std::max(offPlaneQWindowZ, rhs.offPlaneQWindowZ);
+    offPlaneQPixels = std::max(offPlaneQPixels, rhs.offPlaneQPixels);
     faults.insert(rhs.faults.begin(), rhs.faults.end());
     if (firstWrong.empty()) firstWrong = rhs.firstWrong;
 }
@@ -161,8 +240,7 @@ Examiner::Examiner(Search search) :
 {
 }
 
-Examination Examiner::examine(const RayImage& image, const std::vector<Ray>& rays,
-                              std::mt19937_64& random)
+Examination Examiner::examine(const RayImage& image, const std::vector<Ray>& rays)
 {
     const std::vector<RayAnswer> answers = _single.run(image, rays);
     const std::vector<RayAnswer> references = _double.run(image, rays);
@@ -185,6 +263,16 @@ Examination Examiner::examine(const RayImage& image, const std::vector<Ray>& ray
         forbid(!hasReason(answer), result.withoutReason, "without a reason");
         forbid(answer.fetches > longest(_search, image, answer), result.tooLong, "too long");
         forbid(answer.isHit() && !hitsSomething(image, answer), result.hitNothing, "hit nothing");
+        const bool atInfinity = inverseDepthOf(reference) < 1e-12 * reference.inverseDepth.x;
+        if (reference.isHit() && columnsOf(reference) > 1.0 && !atInfinity)
+        {
+            const glm::dvec2 off = offPlaneQ(image, rays[i], reference);
+            result.offPlaneQPixels = std::max(result.offPlaneQPixels, off.x);
+            result.offPlaneQWindowZ = std::max(result.offPlaneQWindowZ, off.y / STEP);
+            const double mayBeOff = roundingOf(image, rays[i], reference);
+            forbid(!(off.x < mayBeOff && off.y < STEP + mayBeOff * windowZPerColumn(reference)),
+                   result.offTheRay, "off the ray");
+        }
         if (!decidedAlike(answer, reference))
         {
             apart.push_back(i);
@@ -201,35 +289,46 @@ Examination Examiner::examine(const RayImage& image, const std::vector<Ray>& ray
                      glm::distance(glm::dvec2(answer.window), glm::dvec2(reference.window)));
     }
 
-    for (std::size_t step = 0; step < NUDGES.size() && !apart.empty(); ++step)
-    {
-        std::vector<Ray> asked;
-        std::vector<Disturbance> nudges;
-        for (const std::size_t i : apart)
-            for (int j = 0; j < RAYS_BESIDE; ++j)
-            {
-                asked.push_back(rays[i]);
-                nudges.push_back(nudge(image, rays[i], NUDGES[step], j == 0, random));
-            }
-        const std::vector<RayAnswer> besides = _double.run(image, asked, nudges);
-        std::vector<std::size_t> left;
-        for (std::size_t k = 0; k < apart.size(); ++k)
+    for (const int number : {RAYS_BESIDE, MANY_RAYS_BESIDE})
+        for (std::size_t step = 0; step < NUDGES.size() && !apart.empty(); ++step)
         {
-            const auto first = besides.begin() + k * RAYS_BESIDE;
-            const bool isBeside =
-                std::any_of(first, first + RAYS_BESIDE,
-                            [&](const RayAnswer& answer)
-                            { return !decidedAlike(references[apart[k]], answer); });
-            if (isBeside)
-                ++result.beside[step];
-            else
-                left.push_back(apart[k]);
+            const std::size_t before = apart.size();
+            apart = alikeBeside(image, rays, answers, references, apart, NUDGES[step], number);
+            result.beside[step] += before - apart.size();
         }
-        apart = left;
-    }
     result.wrong = apart.size();
     if (!apart.empty())
         result.firstWrong =
             describe(image, rays[apart[0]], answers[apart[0]], references[apart[0]]);
     return result;
+}
+
+std::vector<std::size_t> Examiner::alikeBeside(const RayImage& image, const std::vector<Ray>& rays,
+                                               const std::vector<RayAnswer>& answers,
+                                               const std::vector<RayAnswer>& references,
+                                               const std::vector<std::size_t>& asked, double steps,
+                                               int number)
+{
+    std::vector<Ray> copies;
+    std::vector<Disturbance> nudges;
+    for (const std::size_t i : asked)
+        for (int j = 0; j < number; ++j)
+        {
+            copies.push_back(rays[i]);
+            nudges.push_back(nudge(image, rays[i], steps, j, _random));
+        }
+    const std::vector<RayAnswer> besides = _double.run(image, copies, nudges);
+    std::vector<std::size_t> alike;
+    for (std::size_t k = 0; k < asked.size(); ++k)
+    {
+        const auto first = besides.begin() + k * number;
+        const std::size_t i = asked[k];
+        if (std::all_of(first, first + number,
+                        [&](const RayAnswer& beside) {
+                            return decidedAlike(beside, references[i]) &&
+                                   !decidedAlike(beside, answers[i]);
+                        }))
+            alike.push_back(i);
+    }
+    return alike;
 }

@@ -32,7 +32,9 @@ struct Examination
     std::int64_t readOutside = 0;
     std::int64_t withoutReason = 0; ///< or with a place that is not on the segment
     std::int64_t tooLong = 0;       ///< looked at more places than the search has columns
-    std::int64_t hitNothing = 0;    ///< hits of which the image shows nothing
+    std::int64_t hitNothing = 0;    ///< hits off every surface that the image shows about them
+    std::int64_t offTheRay = 0;     ///< hits that plane Q of the paper, in double precision, has
+                                    ///< elsewhere
     std::int64_t wrong = 0;         ///< decided otherwise, though far from any other decision
 
     /// Decided otherwise than in double precision, and so are rays beside them: by how far.
@@ -42,6 +44,10 @@ struct Examination
     /// longer than a pixel [STEP], and apart in the image [pixels].
     double worstWindowZ = 0.0;
     double worstPixels = 0.0;
+
+    /// Of hits in double precision: how far plane Q has them elsewhere [STEP], [pixels].
+    double offPlaneQWindowZ = 0.0;
+    double offPlaneQPixels = 0.0;
 
     /// The first ray of each kind that may not be, for a person to read.
     std::map<std::string, std::string> faults;
@@ -56,13 +62,25 @@ class Examiner
 public:
     explicit Examiner(osgWaterReflect::Search search);
 
-    Examination examine(const RayImage& image, const std::vector<Ray>& rays,
-                        std::mt19937_64& random);
+    Examination examine(const RayImage& image, const std::vector<Ray>& rays);
 
 private:
+    /// Of the rays asked for, those beside which double precision decides nothing otherwise, nor
+    /// as single precision does.
+    ///   answers     of single precision, for each ray
+    ///   references  of double precision
+    ///   steps       by how much the numbers of a ray are changed [STEP]
+    ///   number      of rays beside each
+    std::vector<std::size_t> alikeBeside(const RayImage& image, const std::vector<Ray>& rays,
+                                         const std::vector<RayAnswer>& answers,
+                                         const std::vector<RayAnswer>& references,
+                                         const std::vector<std::size_t>& asked, double steps,
+                                         int number);
+
     osgWaterReflect::Search _search;
     RayProbe _single;
     RayProbe _double;
+    std::mt19937_64 _random{20};
 };
 
 } // namespace battery

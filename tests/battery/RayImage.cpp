@@ -1,5 +1,7 @@
 #include "RayImage.h"
 
+#include <osgWaterReflect/Transforms.h>
+
 #include <glm/common.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -86,28 +88,28 @@ Depths depthsOf(Shown shown, const glm::dvec2& size, std::mt19937_64& random)
     }
 }
 
-glm::dmat4 projectionOf(RayImage& image)
+glm::dmat4 projectionOf(Lens lens, RayImage& image)
 {
     const double aspect = static_cast<double>(image.size.x) / image.size.y;
     double fovyDegrees = 46.0;
-    if (image.lens == Lens::WIDE) fovyDegrees = 170.0;
-    if (image.lens == Lens::NARROW) fovyDegrees = 0.1;
-    if (image.lens == Lens::DEEP)
+    if (lens == Lens::WIDE) fovyDegrees = 170.0;
+    if (lens == Lens::NARROW) fovyDegrees = 0.1;
+    if (lens == Lens::DEEP)
     {
         image.nearest = 1e-3;
         image.farthest = 1e6;
     }
-    if (image.lens == Lens::ENDLESS)
+    if (lens == Lens::ENDLESS)
     {
         image.farthest = 1e5;
         return glm::infinitePerspective(glm::radians(fovyDegrees), aspect, image.nearest);
     }
-    if (image.lens == Lens::ORTHOGRAPHIC)
+    if (lens == Lens::ORTHOGRAPHIC)
         return glm::ortho(-10.0 * aspect, 10.0 * aspect, -10.0, 10.0, image.nearest,
                           image.farthest);
     const double top = image.nearest * std::tan(glm::radians(0.5 * fovyDegrees));
     const double right = top * aspect;
-    if (image.lens == Lens::OFF_AXIS)
+    if (lens == Lens::OFF_AXIS)
         return glm::frustum(1.6 * right, -0.4 * right, -0.3 * top, 1.7 * top, image.nearest,
                             image.farthest);
     return glm::frustum(-right, right, -top, top, image.nearest, image.farthest);
@@ -121,20 +123,25 @@ float rounded(double windowZ, int bits)
     return static_cast<float>(std::round(windowZ * steps) / steps);
 }
 
-} // namespace
-
-std::string battery::nameOf(Shown shown)
+std::string nameOf(Shown shown)
 {
     const char* const names[] = {"plane",    "spheres", "steps", "comb",
                                  "checkers", "noise",   "near",  "background"};
     return names[static_cast<int>(shown)];
 }
 
-std::string battery::nameOf(Lens lens)
+std::string nameOf(Lens lens)
 {
     const char* const names[] = {"perspective", "wide",     "narrow",      "deep",
                                  "endless",     "off-axis", "orthographic"};
     return names[static_cast<int>(lens)];
+}
+
+} // namespace
+
+glm::mat4 RayImage::imageFromEye() const
+{
+    return glm::mat4(osgWaterReflect::imageFromClip() * clipFromEye);
 }
 
 glm::dvec3 RayImage::eyeFromWindow(const glm::dvec3& window) const
@@ -165,12 +172,10 @@ RayImage battery::createImage(Shown shown, Lens lens, int bits, const glm::ivec2
                               std::mt19937_64& random)
 {
     RayImage image;
-    image.shown = shown;
-    image.lens = lens;
-    image.bits = bits;
+    image.name = nameOf(shown) + ", " + nameOf(lens) + ", " + std::to_string(bits) + " bits";
     image.size = size;
     image.mirrored = lens == Lens::OFF_AXIS;
-    image.clipFromEye = glm::dmat4(glm::mat4(projectionOf(image)));
+    image.clipFromEye = projectionOf(lens, image);
     image.thickness = std::pow(10.0, uniform(random, -3.0, 1.0));
 
     const Depths depths = depthsOf(shown, glm::dvec2(size), random);

@@ -39,25 +39,23 @@ enum class Lens
     NUM
 };
 
-std::string nameOf(Shown shown);
-std::string nameOf(Lens lens);
-
 /// An image of depths to look for rays in, and all that a search asks of a capture.
 struct RayImage
 {
-    Shown shown = Shown::PLANE;
-    Lens lens = Lens::PERSPECTIVE;
-    int bits = 32;              ///< of a depth buffer whose steps windowZ is rounded to; 32: floats
+    std::string name;           ///< what it shows, and how
     glm::ivec2 size{1};         ///< [pixels]
     std::vector<float> windowZ; ///< row by row from the lower left pixel
-    glm::dmat4 clipFromEye{1.0}; ///< of single precision
-    double nearest = 0.1;        ///< depth at windowZ 0 and
+    glm::dmat4 clipFromEye{1.0};
+    double nearest = 0.1;     ///< depth at windowZ 0 and
     double farthest = 1000.0; ///< at windowZ 1 [world units]; very far where there is no far plane
     bool mirrored = false;    ///< a ray may meet something in its own pixel
     double thickness = 0.5;   ///< [world units]
     double stride = 1.0;      ///< [pixels]
 
-    bool isOrthographic() const { return lens == Lens::ORTHOGRAPHIC; }
+    bool isOrthographic() const { return clipFromEye[2][3] == 0.0; }
+
+    /// What the shader is given: clip space as osgWaterReflect::imageFromClip() has it.
+    glm::mat4 imageFromEye() const;
 
     glm::dvec3 eyeFromWindow(const glm::dvec3& window) const;
     glm::dvec3 windowFromEye(const glm::dvec3& eye) const;
@@ -67,6 +65,7 @@ struct RayImage
     double pixelExtent() const;
 };
 
+/// bits  of a depth buffer whose steps windowZ is rounded to; 32: single precision
 RayImage createImage(Shown shown, Lens lens, int bits, const glm::ivec2& size,
                      std::mt19937_64& random);
 

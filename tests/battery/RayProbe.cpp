@@ -219,7 +219,7 @@ void RayProbe::setImage(const RayImage& image)
     const glm::vec2 depthScale(image.depthScale());
     bindings::set(*_stateSet, capture + bindings::SIZE, osg::Vec2(image.size.x, image.size.y));
     bindings::set(*_stateSet, capture + bindings::IMAGE_FROM_EYE,
-                  toOsgFloat(imageFromClip() * image.clipFromEye));
+                  toOsgFloat(glm::dmat4(image.imageFromEye())));
     bindings::set(*_stateSet, capture + bindings::DEPTH_SCALE,
                   osg::Vec2(depthScale.x, depthScale.y));
     bindings::set(*_stateSet, capture + bindings::PIXEL_EXTENT,

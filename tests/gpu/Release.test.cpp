@@ -183,6 +183,32 @@ TEST_CASE("water whose waves change holds no more than at first")
     CHECK(view.record().numPasses() == 1);
 }
 
+// Breaks where TracePass::begin only empties its graph, whose branches hold the sheets' state.
+TEST_CASE("water traced in a smaller image leaves nothing behind when it goes")
+{
+    HarbourView view;
+    osg::observer_ptr<osg::TextureCubeMap> sky;
+    const osg::ref_ptr<osg::Group> scene = scenes::together({scenes::createHarbour()});
+    for (int i = 0; i < 3; ++i)
+    {
+        const osg::ref_ptr<WaterSurface> lake = scenes::createLake();
+        osgWaterReflect::ReflectionSettings settings = lake->getReflection();
+        settings.traceScale = 0.5;
+        REQUIRE(lake->setReflection(settings));
+        if (i == 0)
+        {
+            const osg::ref_ptr<osg::TextureCubeMap> own = createSky();
+            lake->setSky(own);
+            sky = own;
+        }
+        scene->removeChildren(1, 1);
+        scene->addChild(lake);
+        view.render(scene);
+        if (i == 0) CHECK(sky.valid());
+    }
+    CHECK_FALSE(sky.valid());
+}
+
 // Breaks where captureFor does not remove the captures of dead cameras, or passFor the passes of
 // dead waters.
 TEST_CASE("nothing piles up where waters and cameras that render to textures come and go")
