@@ -54,7 +54,8 @@ TEST_CASE("triangles without an area and corners given twice make no difference"
     for (unsigned int i : {0, 1, 2})
         indices->push_back(i);
     CHECK(StillWater::createSheets(*geometry).empty());
-    CHECK(StillWater::createSheets(*new osg::Geometry).empty());
+    const osg::ref_ptr<osg::Geometry> nothing = new osg::Geometry;
+    CHECK(StillWater::createSheets(*nothing).empty());
 }
 
 // Falls when createSheets() goes on with more than MAX_PLANES, or `area` is the first triangle's
