@@ -105,14 +105,22 @@ bool BandDemand::serves(const NdcExtent& scene, const glm::ivec2& viewSize) cons
 GuardBand BandDemand::band(const NdcExtent& scene, const glm::ivec2& viewSize) const
 {
     const GuardBand adapted = bandFor(needed(_reflected, scene), viewSize, _maxExtraPixels);
-    // A fixed band is never cut down: with a whole side each, it has nine times the view's pixels.
-    const GuardBand fixed = bandFor(widenedBy(_fixedShare), viewSize, 8.0);
+    const GuardBand fixed = fixedBand(viewSize);
     return {std::max(adapted.left, fixed.left), std::max(adapted.right, fixed.right),
             std::max(adapted.bottom, fixed.bottom), std::max(adapted.top, fixed.top)};
 }
 
+// Never cut down: with a whole side each, it has nine times the view's pixels.
+GuardBand BandDemand::fixedBand(const glm::ivec2& viewSize) const
+{
+    return bandFor(widenedBy(_fixedShare), viewSize, 8.0);
+}
+
+// The adapted band may have all its pixels on one side, where the other has the fixed band's.
 glm::ivec2 BandDemand::largestSize(const glm::ivec2& viewSize) const
 {
-    const double factor = 1.0 + std::max(_maxExtraPixels, 2.0 * _fixedShare);
-    return glm::ivec2(glm::ceil(factor * glm::dvec2(viewSize)));
+    const GuardBand band = fixedBand(viewSize);
+    const glm::ivec2 fixed(band.left, band.bottom);
+    const glm::ivec2 adapted(glm::ceil(_maxExtraPixels * glm::dvec2(viewSize)));
+    return viewSize + fixed + glm::max(fixed, adapted);
 }

@@ -36,6 +36,8 @@ public:
     glm::ivec2 largestSize(const glm::ivec2& viewSize) const;
 
 private:
+    GuardBand fixedBand(const glm::ivec2& viewSize) const;
+
     NdcExtent _reflected;       // of ADAPTIVE bands
     NdcExtent _mostlyReflected; // but for the steepest places
     double _fixedShare = 0.0;

@@ -85,6 +85,8 @@ osg::ref_ptr<osg::Texture2D> createWindowZTexture(int width, int height)
 
 osg::ref_ptr<osg::Image> lowerLeftPart(const osg::Image& image, int width, int height)
 {
+    REQUIRE(width <= image.s());
+    REQUIRE(height <= image.t());
     osg::ref_ptr<osg::Image> part = new osg::Image;
     part->allocateImage(width, height, 1, image.getPixelFormat(), image.getDataType());
     for (int row = 0; row < height; ++row)
