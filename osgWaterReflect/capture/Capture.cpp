@@ -7,6 +7,9 @@
 
 #include <osgWaterReflect/WaterSurface>
 
+#include <osg/ContextData>
+#include <osg/FrameBufferObject>
+
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -65,6 +68,19 @@ std::vector<MetWater> asAsked(std::vector<MetWater> waters)
     return waters;
 }
 
+// OSG makes its lists of frame buffers to be deleted when the first goes, without a lock. Captures
+// go in cull threads, several at once: the lists are made in the thread that draws, before any
+// goes.
+class PrepareDeletion : public osg::Camera::DrawCallback
+{
+public:
+    void operator()(osg::RenderInfo& renderInfo) const override
+    {
+        osg::get<osg::GLFrameBufferObjectManager>(renderInfo.getContextID());
+        osg::get<osg::GLRenderBufferManager>(renderInfo.getContextID());
+    }
+};
+
 // [1] Of half the view's size: how much farther than needed is culled, so that a camera that turns
 // slowly does not have everything culled twice.
 const double CULL_MARGIN = 0.1;
@@ -92,6 +108,7 @@ Capture::Capture() :
     _camera->setImplicitBufferAttachmentMask(0, 0);
     _camera->attach(osg::Camera::COLOR_BUFFER0, _colour);
     _camera->attach(osg::Camera::DEPTH_BUFFER, _windowZ);
+    _camera->setInitialDrawCallback(new PrepareDeletion);
     _stage->setCamera(_camera);
     _stage->setViewport(new osg::Viewport);
     _camera->setViewport(_stage->getViewport());
