@@ -62,6 +62,7 @@ void ViewRecord::beginCull(CameraCapture& entry, osgUtil::CullVisitor& view)
     entry.taken.remove_if([&](const Taken& taken) { return taken.cull != entry.cull; });
     ++entry.cull;
     entry.settings.begin();
+    entry.trace->begin();
 }
 
 // What this cull has taken already from that eye, or else what an earlier one took from any.

@@ -61,8 +61,8 @@ void TracePass::draw(osgUtil::CullVisitor& view, double scale, osg::StateSet& sh
     _stage->addStateGraph(leaves);
 }
 
-// The first sheet of a cull begins the image anew; each moves it to the end of what is rendered for
-// the captures, for one of them may have been arranged just now.
+// Each sheet moves the image to the end of what is rendered for the captures, for one of them may
+// have been arranged just now.
 void TracePass::arrange(osgUtil::CullVisitor& view)
 {
     osgUtil::RenderStage& stage = *view.getCurrentRenderStage();
@@ -72,13 +72,10 @@ void TracePass::arrange(osgUtil::CullVisitor& view)
         const auto arranged =
             std::find_if(stages.begin(), stages.end(),
                          [this](const auto& other) { return other.second == _stage; });
-        if (arranged == stages.end()) return false;
-        stages.erase(arranged);
-        return true;
+        if (arranged != stages.end()) stages.erase(arranged);
     };
-    const bool begun =
-        takeFrom(stage.getPreRenderList()) || (copy && takeFrom(copy->getPostRenderList()));
-    if (!begun) begin();
+    takeFrom(stage.getPreRenderList());
+    if (copy) takeFrom(copy->getPostRenderList());
     // In the order of captures, and of their pyramids.
     if (copy)
         copy->addPostRenderStage(_stage, INT_MAX);

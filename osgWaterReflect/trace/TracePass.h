@@ -29,6 +29,9 @@ public:
 
     TracePass();
 
+    /// Begins a cull: drops what the one before has drawn.
+    void begin();
+
     /// Draws a sheet of water into the image, that the view has come to in its traversal and has
     /// been told the near and far planes of.
     ///   scale       of the image; the largest of a frame wins
@@ -47,7 +50,6 @@ public:
 
 private:
     void arrange(osgUtil::CullVisitor& view);
-    void begin();
     void resize(const osg::Viewport& view, double scale);
 
     osg::ref_ptr<osg::Texture2D> _found;

@@ -3,10 +3,13 @@
 
 #include "../support/Catch.h"
 #include "Examination.h"
+#include "RecordedView.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <map>
 
 using namespace battery;
@@ -33,8 +36,17 @@ const Searched SEARCHES[] = {{Search::HIERARCHICAL, 1.0, "hierarchical"},
                              {Search::SEQUENTIAL, 7.0, "sequential, stride 7"},
                              {Search::BINARY, 1.0, "binary"}};
 
-// Images of every kind in turn, with rays of every set for each.
-std::map<std::string, Examination> examineAll(const Searched& searched, int images, int raysEach)
+std::vector<Ray> someOf(const std::vector<Ray>& rays, std::size_t count, std::mt19937_64& random)
+{
+    std::vector<Ray> some;
+    std::sample(rays.begin(), rays.end(), std::back_inserter(some), count, random);
+    return some;
+}
+
+// Images of every kind in turn, with rays of every set for each; and about as many rays of views.
+std::map<std::string, Examination> examineAll(const Searched& searched,
+                                              const std::vector<RecordedView>& views, int images,
+                                              int raysEach)
 {
     std::map<std::string, Examination> bySet;
     std::mt19937_64 random(20);
@@ -52,6 +64,13 @@ std::map<std::string, Examination> examineAll(const Searched& searched, int imag
             bySet[nameOf(raySet)].add(
                 examiner.examine(image, createRays(raySet, image, raysEach, random)));
         }
+    }
+    for (const RecordedView& view : views)
+    {
+        RayImage image = view.image;
+        image.stride = searched.stride;
+        bySet["recorded"].add(
+            examiner.examine(image, someOf(view.rays, images * raysEach / views.size(), random)));
     }
     return bySet;
 }
@@ -74,8 +93,9 @@ void check(const Searched& searched, const std::string& set, const Examination& 
 // Falls with each of the faults of tests/mutants that names it.
 TEST_CASE("every ray ends, for a reason, within the image, and as double precision has it")
 {
+    const std::vector<RecordedView> views = recordViews();
     for (const Searched& searched : SEARCHES)
-        for (const auto& [set, result] : examineAll(searched, 39, 64))
+        for (const auto& [set, result] : examineAll(searched, views, 39, 64))
             check(searched, set, result);
 }
 
@@ -83,8 +103,9 @@ TEST_CASE("every ray ends, for a reason, within the image, and as double precisi
 TEST_CASE("the full battery, written to test-output/battery.json", "[.full]")
 {
     nlohmann::json rows;
+    const std::vector<RecordedView> views = recordViews();
     for (const Searched& searched : SEARCHES)
-        for (const auto& [set, result] : examineAll(searched, 65, 4096))
+        for (const auto& [set, result] : examineAll(searched, views, 65, 4096))
         {
             check(searched, set, result);
             rows.push_back({{"search", searched.name},

@@ -21,9 +21,10 @@ namespace
 {
 
 // Rays beside one, at each distance, that are asked whether all are decided as it is; and, where
-// all at every distance are, at each once more.
+// all at every distance are, at each once more, unless of so many rays that something is wrong.
 const int RAYS_BESIDE = 32;
 const int MANY_RAYS_BESIDE = 4096;
+const std::size_t FEW_RAYS = 8;
 
 // Hits closer than this are of one place [pixels], and on one ray [windowZ].
 const double SAME_PIXEL = 0.5;
@@ -290,12 +291,15 @@ Examination Examiner::examine(const RayImage& image, const std::vector<Ray>& ray
     }
 
     for (const int number : {RAYS_BESIDE, MANY_RAYS_BESIDE})
+    {
+        if (number == MANY_RAYS_BESIDE && apart.size() > FEW_RAYS) break;
         for (std::size_t step = 0; step < NUDGES.size() && !apart.empty(); ++step)
         {
             const std::size_t before = apart.size();
             apart = alikeBeside(image, rays, answers, references, apart, NUDGES[step], number);
             result.beside[step] += before - apart.size();
         }
+    }
     result.wrong = apart.size();
     if (!apart.empty())
         result.firstWrong =

@@ -11,6 +11,7 @@
 
 #include <malloc.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -58,10 +59,12 @@ private:
 class Abuse
 {
 public:
+    static constexpr std::size_t WATERS = 3;
+
     explicit Abuse(unsigned int seed) : _chance(seed), _scene(new osg::Group)
     {
         _scene->addChild(scenes::createHarbour());
-        for (int i = 0; i < 3; ++i)
+        for (std::size_t i = 0; i < WATERS; ++i)
         {
             const osg::ref_ptr<osg::MatrixTransform> place = new osg::MatrixTransform;
             _places.push_back(place);
@@ -79,7 +82,7 @@ public:
         aim(view.camera());
         if (view.width() > 1024 || _chance.once(20)) resize(view);
         if (_chance.once(2)) _time = _chance.logBetween(1e-3, 1e9);
-        osg::MatrixTransform& place = *_places[_chance.integer(0, 2)];
+        osg::MatrixTransform& place = *_places[_chance.integer(0, static_cast<int>(WATERS) - 1)];
         switch (_chance.integer(0, 5))
         {
         case 0:
@@ -228,35 +231,62 @@ double heldMemory()
     return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
 }
 
-void soak(unsigned int seed, int frames)
+// [bytes] That are held when all water has gone, and with the last of it its programs: how many
+// variants of these there are depends on what was met.
+double heldAtRest(OffscreenView& view)
 {
-    OffscreenView view(48, 36, OffscreenView::Format::RGBA32F);
-    Abuse abuse(seed);
-    double heldEarly = 0.0;
+    view.resize(48, 36);
+    view.look(scenes::HARBOUR_EYE, scenes::HARBOUR_CENTRE);
+    const osg::ref_ptr<osg::Group> calm = scenes::together({scenes::createLake()});
+    view.render(calm);
+    calm->releaseGLObjects(view.camera().getGraphicsContext()->getState());
+    const osg::ref_ptr<osg::Group> nothing = new osg::Group;
+    for (int i = 0; i < 3; ++i)
+        view.render(nothing);
+    return heldMemory();
+}
+
+void abuseFor(OffscreenView& view, int round, int frames)
+{
+    Abuse abuse(round);
     for (int i = 0; i < frames; ++i)
     {
         abuse.step(view);
-        INFO("seed " << seed << ", frame " << i << ", " << view.width() << " x " << view.height());
+        INFO("round " << round << ", frame " << i << ", " << view.width() << " x "
+                      << view.height());
         CHECK(countNotFinite(view.render(abuse.scene(), abuse.time())) == 0);
-        if (i == frames / 2) heldEarly = heldMemory();
+        CHECK(view.record().numPasses() <= Abuse::WATERS);
     }
-    const double grown = heldMemory() - heldEarly;
-    INFO(frames << " frames; " << heldEarly << " bytes held at half of them, then " << grown
-                << " more");
-    CHECK(grown < 20e6); // a capture of the smallest views for each frame would be more
+}
+
+// In rounds, each with waters of its own, from one to the next of which nothing is kept.
+void soak(int rounds, int framesEach)
+{
+    OffscreenView view(48, 36, OffscreenView::Format::RGBA32F);
+    std::vector<double> held;
+    for (int round = 1; round <= rounds; ++round)
+    {
+        abuseFor(view, round, framesEach);
+        held.push_back(heldAtRest(view));
+    }
+    const auto half = held.begin() + rounds / 2;
+    const double early = *std::min_element(held.begin(), half);
+    const double grown = *std::min_element(half, held.end()) - early;
+    INFO(early << " bytes held in the first half, then " << grown << " more");
+    // OSG itself remembers every size that a texture has had, in some 300 bytes.
+    CHECK(grown < 2e6 + 300.0 * 0.5 * rounds * framesEach);
 }
 
 } // namespace
 
-// Falls where colourAmidEdges divides by a sum of weights that is 0.
+// Falls where colourAmidEdges divides by a sum of weights that is 0; where a WaveMesh holds its
+// sheet; and where TracePass::begin does not reset its graph.
 TEST_CASE("frames under abuse hold no NaN, raise no GL error and keep no memory")
 {
-    soak(1, 1000);
+    soak(10, 100);
 }
 
-// An hour and a half on two cores.
 TEST_CASE("a hundred thousand frames under abuse", "[.full]")
 {
-    for (unsigned int seed = 2; seed < 12; ++seed)
-        soak(seed, 10000);
+    soak(200, 500);
 }

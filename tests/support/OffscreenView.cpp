@@ -5,6 +5,7 @@
 #include <osgWaterReflect/offscreen/OffscreenContext.h>
 
 #include <osgDB/WriteFile>
+#include <osgViewer/Renderer>
 
 #include <algorithm>
 #include <cmath>
@@ -79,6 +80,13 @@ const osg::Image& OffscreenView::render(osg::Node* scene, double time)
     REQUIRE(asked);
     if (_width > 0 && _height > 0) CHECK(asked->error == GL_NO_ERROR);
     return *_image;
+}
+
+osgWaterReflect::ViewRecord& OffscreenView::record()
+{
+    auto* renderer = dynamic_cast<osgViewer::Renderer*>(camera().getRenderer());
+    REQUIRE(renderer);
+    return osgWaterReflect::ViewRecord::of(*renderer->getSceneView(0)->getCullVisitor());
 }
 
 osg::Vec4 pixel(const osg::Image& image, int x, int y)

@@ -1,6 +1,8 @@
 #ifndef OSGWATERREFLECT_TESTS_SUPPORT_OFFSCREENVIEW_H
 #define OSGWATERREFLECT_TESTS_SUPPORT_OFFSCREENVIEW_H
 
+#include <osgWaterReflect/ViewRecord.h>
+
 #include <osg/Camera>
 #include <osg/Image>
 #include <osgViewer/Viewer>
@@ -32,6 +34,9 @@ public:
 
     /// Renders one frame at a simulation time [s]; the image stays valid until the next.
     const osg::Image& render(osg::Node* scene, double time = 0.0);
+
+    /// What the view holds for water.
+    osgWaterReflect::ViewRecord& record();
 
     int width() const { return _width; }
     int height() const { return _height; }
