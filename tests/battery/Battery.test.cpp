@@ -75,6 +75,13 @@ std::map<std::string, Examination> examineAll(const Searched& searched,
     return bySet;
 }
 
+double quantile(std::vector<double> values, double share)
+{
+    if (values.empty()) return 0.0;
+    std::sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(share * (values.size() - 1))];
+}
+
 void check(const Searched& searched, const std::string& set, const Examination& result)
 {
     std::string faults;
@@ -114,7 +121,9 @@ TEST_CASE("the full battery, written to test-output/battery.json", "[.full]")
                             {"hits", result.hits},
                             {"beside", result.beside},
                             {"wrong", result.wrong},
-                            {"worst_window_z", result.worstWindowZ},
+                            {"window_z_median", quantile(result.windowZOff, 0.5)},
+                            {"window_z_p999", quantile(result.windowZOff, 0.999)},
+                            {"window_z_worst", quantile(result.windowZOff, 1.0)},
                             {"worst_pixels", result.worstPixels},
                             {"off_plane_q_pixels", result.offPlaneQPixels}});
         }

@@ -30,6 +30,10 @@ const std::size_t FEW_RAYS = 8;
 const double SAME_PIXEL = 0.5;
 const double SAME_WINDOW_Z = 1e-4;
 
+// [pixels] From this on a ray is not said to run along the line of sight, where half a pixel may be
+// all of its depth.
+const double LONG_RAY = 16.0;
+
 // As in shaders/ray.glsl.
 const int REASON_SKY = 1;
 const int LAST_REASON = 7;
@@ -51,6 +55,15 @@ double windowZApart(const RayAnswer& a, const RayAnswer& b)
 {
     const glm::dvec3 apart = glm::abs(a.window - b.window);
     return std::max(apart.z - std::max(apart.x, apart.y) * windowZPerColumn(b), 0.0);
+}
+
+// How far a hit is off a ray in windowZ, at the column that it was found in.
+double windowZOff(const RayAnswer& hit, const RayAnswer& ray)
+{
+    const glm::dvec3 extent = ray.end - ray.start;
+    const int along = std::abs(extent.x) >= std::abs(extent.y) ? 0 : 1;
+    const double s = (hit.window[along] - ray.start[along]) / extent[along];
+    return std::abs(hit.window.z - (ray.start.z + s * extent.z));
 }
 
 bool decidedAlike(const RayAnswer& a, const RayAnswer& b)
@@ -228,7 +241,7 @@ void Examination::add(const Examination& rhs)
     wrong += rhs.wrong;
     for (std::size_t i = 0; i < beside.size(); ++i)
         beside[i] += rhs.beside[i];
-    worstWindowZ = std::max(worstWindowZ, rhs.worstWindowZ);
+    windowZOff.insert(windowZOff.end(), rhs.windowZOff.begin(), rhs.windowZOff.end());
     worstPixels = std::max(worstPixels, rhs.worstPixels);
     offPlaneQWindowZ = std::max(offPlaneQWindowZ, rhs.offPlaneQWindowZ);
     offPlaneQPixels = std::max(offPlaneQPixels, rhs.offPlaneQPixels);
@@ -282,9 +295,8 @@ Examination Examiner::examine(const RayImage& image, const std::vector<Ray>& ray
         result.fetches += answer.fetches;
         result.fetchesInDouble += reference.fetches;
         if (!answer.isHit()) continue;
-        if (columnsOf(reference) > 1.0)
-            result.worstWindowZ =
-                std::max(result.worstWindowZ, windowZApart(answer, reference) / STEP);
+        if (columnsOf(reference) > LONG_RAY)
+            result.windowZOff.push_back(windowZOff(answer, reference) / STEP);
         result.worstPixels =
             std::max(result.worstPixels,
                      glm::distance(glm::dvec2(answer.window), glm::dvec2(reference.window)));

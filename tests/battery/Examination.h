@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace battery
 {
@@ -40,9 +41,9 @@ struct Examination
     /// Decided otherwise than in double precision, and so are rays beside them: by how far.
     std::array<std::int64_t, NUDGES.size()> beside{};
 
-    /// Of hits that both decide alike: how far they are off one ray in windowZ, where that is
-    /// longer than a pixel [STEP], and apart in the image [pixels].
-    double worstWindowZ = 0.0;
+    /// Of hits that both decide alike: how far each is off the ray in windowZ, of rays longer than
+    /// 16 pixels [STEP]; and the greatest distance in the image [pixels].
+    std::vector<double> windowZOff;
     double worstPixels = 0.0;
 
     /// Of hits in double precision: how far plane Q has them elsewhere [STEP], [pixels].

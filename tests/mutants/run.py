@@ -41,7 +41,7 @@ def faulted(mutant, tree):
 
 def run_test(binaries, mutant, environment=None):
     """Whether the test fails."""
-    command = [binaries / mutant.program, mutant.test]
+    command = [binaries / mutant.program, mutant.test, "--abort"]
     try:
         done = subprocess.run(
             command, env={**os.environ, **(environment or {})}, timeout=PATIENCE,
