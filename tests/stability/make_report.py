@@ -32,7 +32,7 @@ def per_million(count, rays):
 def battery_table(battery):
     nudges = battery["nudges"]
     head = (["search", "rays", "set", "hits"] + [f"by {n}" if i == 0 else str(n) for i, n in enumerate(nudges)] +
-            ["none", "windowZ [2^-24]", "0.1 %", "worst"])
+            ["none", "windowZ: median [2^-24]", "0.1 %", "worst"])
     rows = []
     for entry in battery["rows"]:
         rays = entry["rays"]
