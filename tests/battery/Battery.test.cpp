@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <numeric>
 
 using namespace battery;
 using osgWaterReflect::Search;
@@ -23,6 +24,9 @@ const glm::ivec2 SIZES[] = {{1, 1},     {1, 7},   {64, 48}, {7, 1},    {127, 101
                             {640, 480}, {509, 3}, {3, 509}, {257, 33}, {4096, 5},  {5, 4096}};
 
 const int WIDEST = 4096;
+
+// The name of the set of rays that views of scenes have reflected.
+const std::string RECORDED = "recorded";
 
 struct Searched
 {
@@ -69,7 +73,7 @@ std::map<std::string, Examination> examineAll(const Searched& searched,
     {
         RayImage image = view.image;
         image.stride = searched.stride;
-        bySet["recorded"].add(
+        bySet[RECORDED].add(
             examiner.examine(image, someOf(view.rays, images * raysEach / views.size(), random)));
     }
     return bySet;
@@ -93,6 +97,11 @@ void check(const Searched& searched, const std::string& set, const Examination& 
     CHECK(result.fetches < 1.05 * result.fetchesInDouble);
     CHECK(result.faults.empty());
     CHECK(result.wrong == 0);
+    // All but the worst conditioned are decided as a ray beside them, at four steps, is.
+    CHECK(std::accumulate(result.beside.begin() + 2, result.beside.end(), std::int64_t(0)) <=
+          1 + 2e-4 * result.rays);
+    // Of scenes: as far as the four roundings of a place go.
+    if (set == RECORDED) CHECK(quantile(result.windowZOff, 0.5) < 2.0);
 }
 
 } // namespace

@@ -243,7 +243,6 @@ void Examination::add(const Examination& rhs)
         beside[i] += rhs.beside[i];
     windowZOff.insert(windowZOff.end(), rhs.windowZOff.begin(), rhs.windowZOff.end());
     worstPixels = std::max(worstPixels, rhs.worstPixels);
-    offPlaneQWindowZ = std::max(offPlaneQWindowZ, rhs.offPlaneQWindowZ);
     offPlaneQPixels = std::max(offPlaneQPixels, rhs.offPlaneQPixels);
     faults.insert(rhs.faults.begin(), rhs.faults.end());
     if (firstWrong.empty()) firstWrong = rhs.firstWrong;
@@ -282,7 +281,6 @@ Examination Examiner::examine(const RayImage& image, const std::vector<Ray>& ray
         {
             const glm::dvec2 off = offPlaneQ(image, rays[i], reference);
             result.offPlaneQPixels = std::max(result.offPlaneQPixels, off.x);
-            result.offPlaneQWindowZ = std::max(result.offPlaneQWindowZ, off.y / STEP);
             const double mayBeOff = roundingOf(image, rays[i], reference);
             forbid(!(off.x < mayBeOff && off.y < STEP + mayBeOff * windowZPerColumn(reference)),
                    result.offTheRay, "off the ray");

@@ -46,8 +46,7 @@ struct Examination
     std::vector<double> windowZOff;
     double worstPixels = 0.0;
 
-    /// Of hits in double precision: how far plane Q has them elsewhere [STEP], [pixels].
-    double offPlaneQWindowZ = 0.0;
+    /// Of hits in double precision: how far plane Q has them elsewhere [pixels].
     double offPlaneQPixels = 0.0;
 
     /// The first ray of each kind that may not be, for a person to read.

@@ -95,6 +95,15 @@ def try_cpp(mutant):
         path.write_text(whole, encoding="utf-8")
 
 
+def write_table(rows):
+    """In the order of MUTANTS; what was not tried now stays as it was when it was tried last."""
+    before = json.loads(TABLE.read_text(encoding="utf-8")) if TABLE.exists() else []
+    latest = {(row["file"], row["fault"]): row for row in before + rows}
+    known = [latest.get((m.file, m.fault)) for m in MUTANTS]
+    TABLE.parent.mkdir(parents=True, exist_ok=True)
+    TABLE.write_text(json.dumps([row for row in known if row], indent=1) + "\n", encoding="utf-8")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--only", default="", help="of faults whose text or file holds this")
@@ -123,9 +132,7 @@ def main():
               f"{mutant.file}: {mutant.fault}", flush=True)
         rows.append({"row": mutant.row, "file": mutant.file, "fault": mutant.fault,
                      "test": f"{mutant.program}: {mutant.test}", "caught": caught})
-    if not arguments.only:
-        TABLE.parent.mkdir(parents=True, exist_ok=True)
-        TABLE.write_text(json.dumps(rows, indent=1) + "\n", encoding="utf-8")
+    write_table(rows)
     survivors = sum(not row["caught"] for row in rows)
     print(f"{len(rows)} faults, {survivors} survive")
     sys.exit(1 if survivors else 0)
