@@ -49,6 +49,15 @@ void ViewRecord::draw(osgUtil::CullVisitor& view, const WaterSurface& water,
     }
     if (mirror) searched.push_back(take(mirroredEye(view, water, sheet)));
     passFor(entry, water, sheet).draw(view, searched, *entry.trace, water, sheet, settings);
+    dropSheetsGone(entry);
+}
+
+// When others have been drawn: they share programs, which would go with the last to hold them.
+void ViewRecord::dropSheetsGone(CameraCapture& entry)
+{
+    const std::lock_guard<std::mutex> lock(_mutex);
+    entry.sheets.remove_if([](const DrawnSheet& drawn)
+                           { return !drawn.water.valid() || !drawn.sheet.valid(); });
 }
 
 // The first water that a cull comes to finds none of the captures arranged. What the cull before
@@ -99,12 +108,11 @@ SheetPass& ViewRecord::passFor(CameraCapture& entry, const WaterSurface& water,
                                const StillWater& sheet)
 {
     const std::lock_guard<std::mutex> lock(_mutex);
-    entry.sheets.remove_if([](const DrawnSheet& drawn)
-                           { return !drawn.water.valid() || !drawn.sheet.valid(); });
     auto drawn = std::find_if(entry.sheets.begin(), entry.sheets.end(),
-                              [&](const DrawnSheet& candidate) {
+                              [&](const DrawnSheet& candidate)
+                              {
                                   return candidate.water == &water && candidate.sheet == &sheet &&
-                                         candidate.cull != entry.cull;
+                                         candidate.sheet.valid() && candidate.cull != entry.cull;
                               });
     if (drawn == entry.sheets.end())
         drawn = entry.sheets.insert(drawn, {&water, &sheet, entry.cull, false, new SheetPass});

@@ -82,6 +82,7 @@ private:
     void beginCull(CameraCapture& entry, osgUtil::CullVisitor& view);
     Taken& takenFrom(CameraCapture& entry, const CaptureEye& eye);
     SheetPass& passFor(CameraCapture& entry, const WaterSurface& water, const StillWater& sheet);
+    void dropSheetsGone(CameraCapture& entry);
 
     osg::observer_ptr<osgUtil::CullVisitor> _view;
     mutable std::mutex _mutex; // of the list and its entries' lists

@@ -47,9 +47,12 @@ bool checkOutline(const WaterSurface::Outline& outline)
     return area > NO_AREA * squaredSize || refuse(member, "an outline with an area", area);
 }
 
+// It is never drawn itself: nothing is to be compiled for it.
 osg::ref_ptr<osg::Geometry> createGeometry(osg::Vec3Array* vertices)
 {
     osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+    geometry->setUseDisplayList(false);
+    geometry->setUseVertexBufferObjects(false);
     geometry->setVertexArray(vertices);
     return geometry;
 }

@@ -19,6 +19,19 @@ namespace
 // sum of many waves' places 98 %.
 const double MOST_SLOPES = 2.0;
 
+// [pixels] No side of a capture is longer: what GL 4.1 and later promise.
+const int MAX_TEXTURE_SIZE = 16384;
+
+// Cuts the two bands of a direction down alike.
+void cutTo(int room, int& first, int& second)
+{
+    const int both = first + second;
+    if (both <= room) return;
+    const double share = std::max(room, 0) / static_cast<double>(both);
+    first = static_cast<int>(share * first);
+    second = static_cast<int>(share * second);
+}
+
 struct Reflected
 {
     NdcExtent byAll;
@@ -106,8 +119,11 @@ GuardBand BandDemand::band(const NdcExtent& scene, const glm::ivec2& viewSize) c
 {
     const GuardBand adapted = bandFor(needed(_reflected, scene), viewSize, _maxExtraPixels);
     const GuardBand fixed = fixedBand(viewSize);
-    return {std::max(adapted.left, fixed.left), std::max(adapted.right, fixed.right),
-            std::max(adapted.bottom, fixed.bottom), std::max(adapted.top, fixed.top)};
+    GuardBand band = {std::max(adapted.left, fixed.left), std::max(adapted.right, fixed.right),
+                      std::max(adapted.bottom, fixed.bottom), std::max(adapted.top, fixed.top)};
+    cutTo(MAX_TEXTURE_SIZE - viewSize.x, band.left, band.right);
+    cutTo(MAX_TEXTURE_SIZE - viewSize.y, band.bottom, band.top);
+    return band;
 }
 
 // Never cut down: with a whole side each, it has nine times the view's pixels.
@@ -122,5 +138,6 @@ glm::ivec2 BandDemand::largestSize(const glm::ivec2& viewSize) const
     const GuardBand band = fixedBand(viewSize);
     const glm::ivec2 fixed(band.left, band.bottom);
     const glm::ivec2 adapted(glm::ceil(_maxExtraPixels * glm::dvec2(viewSize)));
-    return viewSize + fixed + glm::max(fixed, adapted);
+    return glm::max(viewSize,
+                    glm::min(viewSize + fixed + glm::max(fixed, adapted), MAX_TEXTURE_SIZE));
 }

@@ -53,6 +53,7 @@ void TracePass::draw(osgUtil::CullVisitor& view, double scale, osg::StateSet& sh
         view.clampProjectionMatrix(*_projection, zNear, zFar);
     }
 
+    _program = traceState.getAttribute(osg::StateAttribute::PROGRAM);
     bindings::set(sheetState, bindings::SHEET, static_cast<float>(++_sheets));
     osgUtil::StateGraph* const leaves = _stateGraph->find_or_insert(_stateSet)
                                             ->find_or_insert(&sheetState)
@@ -111,6 +112,7 @@ void TracePass::resize(const osg::Viewport& view, double scale)
 
 void TracePass::releaseGLObjects(osg::State* state) const
 {
+    if (_program) _program->releaseGLObjects(state);
     _found->releaseGLObjects(state);
     _stage->releaseGLObjects(state);
 }

@@ -58,9 +58,10 @@ private:
     osg::ref_ptr<osg::Camera> _camera; // holds the attachments; it is no node of the scene
     osg::ref_ptr<osgUtil::StateGraph> _stateGraph;
     osg::ref_ptr<osgUtil::RenderStage> _stage;
-    osg::ref_ptr<osg::RefMatrix> _projection; // of this frame
-    double _scale = 0.0;                      // of this frame so far
-    unsigned int _sheets = 0;                 // in this frame so far
+    osg::ref_ptr<osg::StateAttribute> _program; // of the last sheet, for the next
+    osg::ref_ptr<osg::RefMatrix> _projection;   // of this frame
+    double _scale = 0.0;                        // of this frame so far
+    unsigned int _sheets = 0;                   // in this frame so far
 };
 
 } // namespace osgWaterReflect

@@ -137,7 +137,7 @@ TEST_CASE("a scene outlives its viewer, and draws the same in the next")
     root->releaseGLObjects(nullptr);
 }
 
-// Breaks where passFor does not remove the passes of dead waters.
+// Breaks where dropSheetsGone does not remove the passes of dead waters.
 TEST_CASE("a viewer outlives its scenes, and holds none of their water")
 {
     HarbourView view;
@@ -199,8 +199,8 @@ TEST_CASE("water traced in a smaller image leaves nothing behind when it goes")
     CHECK_FALSE(sky.valid());
 }
 
-// Breaks where captureFor does not remove the captures of dead cameras, or passFor the passes of
-// dead waters.
+// Breaks where captureFor does not remove the captures of dead cameras, or dropSheetsGone the
+// passes of dead waters.
 TEST_CASE("nothing piles up where waters and cameras that render to textures come and go")
 {
     OffscreenView view(32, 24);
