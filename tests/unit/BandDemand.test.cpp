@@ -13,7 +13,8 @@
 using namespace osgWaterReflect;
 
 // Breaks where largestSize() rounds the two sides of a fixed band up as one, or takes a band to be
-// either fixed or adaptive: one water's sides may be those, another's these.
+// either fixed or adaptive: one water's sides may be those, another's these; and where band() does
+// not cut what no texture can hold.
 TEST_CASE("no band makes a larger image than is made room for")
 {
     const osg::ref_ptr<WaterSurface> water =
