@@ -224,9 +224,9 @@ void meet(Capture capture, ImageRay ray, Columns columns, int i, inout Trail tra
     if (trail.before.s != sBefore || i == 0)
         trail.before = Sample(sBefore, windowBefore.z - capturedWindowZ(capture, windowBefore.xy));
     float previousZ = windowBefore.z - trail.before.behind;
+    float surfaceZ = windowAt(ray, trail.at.s).z - trail.at.behind;
     float inverseDepth = mix(ray.inverseDepth.x, ray.inverseDepth.y, trail.at.s);
-    trail.meeting = meetSurface(capture, ray.start.z + trail.at.s * (ray.end.z - ray.start.z) - trail.at.behind,
-                                i > 0 ? previousZ : 0.0, trail.at.behind,
+    trail.meeting = meetSurface(capture, surfaceZ, i > 0 ? previousZ : 0.0, trail.at.behind,
                                 2.0 * trail.lookAheadZ, inverseDepth);
     if (!trail.meeting.hit)
     {
