@@ -43,6 +43,9 @@ Replacements replaceShaders()
 
 int main(int argc, char** argv)
 {
+    // Tests run side by side: threads of the driver's own (Mesa's llvmpipe) would be in each
+    // other's way, and keep memory for as much as ever was in flight at once.
+    setenv("LP_NUM_THREADS", "0", 0);
     const Replacements replacements = replaceShaders();
     // Refusals are asked for by many tests; only what no test asked for is worth reading.
     osg::setNotifyLevel(osg::FATAL);

@@ -27,6 +27,8 @@ OffscreenView::OffscreenView(int width, int height, Format format) : _width(widt
 {
     const bool isFloat = format == Format::RGBA32F;
     _viewer.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
+    // OSG would keep every test's thread to the first processor, where tests run side by side.
+    _viewer.setUseConfigureAffinity(false);
     _viewer.setKeyEventSetsDone(0);
     osg::Camera& c = camera();
     c.setGraphicsContext(osgWaterReflect::createOffscreenContext(width, height).get());
