@@ -120,6 +120,8 @@ BenchView::BenchView(const BenchScene& scene, const glm::ivec2& size, Purpose pu
         _clock->watchFrame(camera);
     }
     _viewer.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
+    // OSG would keep this thread to the first processor, and with it all that inParallel starts.
+    _viewer.setUseConfigureAffinity(false);
     _viewer.setKeyEventSetsDone(0);
     _viewer.setSceneData(root);
     _viewer.realize();
