@@ -40,10 +40,12 @@ void showUsage()
                  "                   ";
     for (const std::string& name : sceneNames())
         std::cout << " " << name;
-    std::cout << "\n"
-                 "  --size WxH        picture of accuracy, rivals and scaling (default: 640x480)\n"
-                 "  --frames N        timed at each point, 2 or more (default: 5)\n"
-                 "  --help            this text\n";
+    std::cout
+        << "\n"
+           "  --only TEXT       of cpu: the cases in whose names it occurs (default: all)\n"
+           "  --size WxH        picture of accuracy, rivals and scaling (default: 640x480)\n"
+           "  --frames N        timed at each point, 2 or more (default: 5); cpu: 8 times as many\n"
+           "  --help            this text\n";
 }
 
 std::vector<std::string> splitAtCommas(const std::string& text)
@@ -88,6 +90,7 @@ std::string parse(osg::ArgumentParser& arguments, ExperimentOptions& options,
             if (std::find(known.begin(), known.end(), name) == known.end())
                 return "--scenes: expected names of scenes (--help has them), got " + name;
     }
+    arguments.read("--only", options.only);
     if (arguments.read("--size", text) && !parseSize(text, options.size))
         return "--size: expected WxH of 1 to 8192 pixels, got " + text;
     if (arguments.read("--frames", text))

@@ -31,12 +31,13 @@ wrong_options() {
     refuses "--frames" accuracy --frames 1
     refuses "--frames" accuracy --frames many
     refuses "got sea" accuracy --scenes lake,sea
+    refuses "got sea" cpu --only sea
     refuses "--colour" accuracy --colour
 }
 
 help() {
     "$bench" --help >"$work/out"
-    for word in table1 accuracy rivals scaling borders added --quick --scenes boxes-branch; do
+    for word in table1 accuracy rivals scaling borders added cpu --quick --scenes boxes-branch; do
         grep -q -- "$word" "$work/out" || fail "--help: expected $word"
     done
 }
@@ -69,6 +70,20 @@ added() {
     for method in mirror-over-distance view frame "frame, adaptive band"; do
         grep -q "\"$method\"" "$work/added.json" || fail "expected $method to be timed"
     done
+}
+cpu() {
+    "$bench" cpu --quick --frames 2 --output "$work" >"$work/out"
+    for capture in view "view, adaptive band" frame "frame, adaptive band" mirror \
+        "view and mirror" automatic; do
+        grep -q "\"$capture\"" "$work/cpu.json" || fail "expected $capture to be timed"
+    done
+    grep -q "64 waters on levels, waves, moving eye" "$work/out" ||
+        fail "expected a table, got: $(cat "$work/out")"
+
+    "$bench" cpu --quick --frames 2 --output "$work" \
+        --only "10 drawables, 1 water, calm, moving eye: frame" >"$work/out"
+    [ "$(grep -c '"capture"' "$work/cpu.json")" -eq 2 ] ||
+        fail "expected two captures of a frame, got: $(cat "$work/cpu.json")"
 }
 rivals() {
     runs rivals

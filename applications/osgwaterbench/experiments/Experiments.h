@@ -18,6 +18,7 @@ struct ExperimentOptions
     int frames = 5;                  ///< that are timed at each point, >= 2
     glm::ivec2 size{640, 480};       ///< [pixels] of accuracy, rivals and scaling
     std::vector<std::string> scenes; ///< of accuracy and rivals
+    std::string only;                ///< of cpu: the cases in whose names it occurs
     std::string output = ".";        ///< a directory for EXPERIMENT.json and pictures
 };
 
@@ -41,6 +42,7 @@ bool runRivals(const ExperimentOptions& options);
 bool runScaling(const ExperimentOptions& options);
 bool runBorders(const ExperimentOptions& options);
 bool runAdded(const ExperimentOptions& options);
+bool runCpu(const ExperimentOptions& options);
 
 inline const Experiment EXPERIMENTS[] = {
     {"table1", "frames a second at the paper's four sizes, by search", runTable1},
@@ -49,6 +51,7 @@ inline const Experiment EXPERIMENTS[] = {
     {"scaling", "time against triangles, waters, outlines and pixels", runScaling},
     {"borders", "captures and guard bands against the plainest search, at two sizes", runBorders},
     {"added", "what water adds to a frame, by capture, over a mirrored camera", runAdded},
+    {"cpu", "what water adds to a frame's cull on the CPU, by capture", runCpu},
 };
 
 } // namespace osgwaterbench
