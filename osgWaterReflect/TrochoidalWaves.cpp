@@ -1,8 +1,9 @@
 #include <osgWaterReflect/TrochoidalWaves>
 
 #include "Check.h"
-#include "TrochoidalSum.h"
-#include "trace/Bindings.h"
+#include "shaders/Bindings.h"
+#include "shaders/ShaderSource.h"
+#include "waves/TrochoidalSum.h"
 
 #include <osg/Math>
 
@@ -12,6 +13,13 @@ using namespace osgWaterReflect;
 
 namespace
 {
+
+// Uniforms of waves_trochoidal.glsl.
+const char* const WAVE_TERMS = "osgwr_waveTerms";
+const char* const WAVE_TERM_COUNT = "osgwr_waveTermCount";
+const char* const WAVE_NEWTON_STEPS = "osgwr_waveNewtonSteps";
+const char* const WAVE_REACH = "osgwr_waveReach";
+const char* const WAVE_RISE = "osgwr_waveRise";
 
 double steepnessSum(const std::vector<TrochoidalWave>& waves)
 {
@@ -147,15 +155,19 @@ double TrochoidalWaves::getMaxSlope() const
 // The slope s sin / (1 - s cos) of one wave of steepness s, squared, is met over the part
 // (1 - s cos) of the still level: the integral over all angles is 2 pi (1 - sqrt(1 - s^2)).
 // Waves of different wave vectors are uncorrelated.
-double TrochoidalWaves::getRmsSlope() const
+osg::Vec3d TrochoidalWaves::getSlopeCovariance(double length) const
 {
-    double sum = 0.0;
+    osg::Vec3d sum;
     for (const TrochoidalWave& wave : _waves)
     {
+        if (wave.length >= length) continue;
         const double steepness = waveNumber(wave) * wave.amplitude;
-        sum += 1.0 - std::sqrt(1.0 - steepness * steepness);
+        const double variance = 1.0 - std::sqrt(1.0 - steepness * steepness);
+        const osg::Vec2d along = waveDirection(wave);
+        sum += osg::Vec3d(along.x() * along.x(), along.y() * along.y(), along.x() * along.y()) *
+               variance;
     }
-    return std::sqrt(sum);
+    return sum;
 }
 
 double TrochoidalWaves::getShortestLength() const
@@ -175,10 +187,16 @@ double TrochoidalWaves::getChordError(double length) const
     return std::sqrt(sum);
 }
 
+const ShaderPiece* TrochoidalWaves::getShaderPiece() const
+{
+    static const osg::ref_ptr<const ShaderPiece> piece = libraryPiece("waves_trochoidal.glsl");
+    return piece;
+}
+
 void TrochoidalWaves::apply(osg::StateSet& stateSet, const osg::Vec2d& anchor, double time) const
 {
     osg::Uniform* array =
-        stateSet.getOrCreateUniform(bindings::WAVES, osg::Uniform::FLOAT_VEC4, MAX_WAVES);
+        stateSet.getOrCreateUniform(WAVE_TERMS, osg::Uniform::FLOAT_VEC4, MAX_WAVES);
     double reach = 0.0;
     for (unsigned int i = 0; i < _waves.size(); ++i)
     {
@@ -188,8 +206,8 @@ void TrochoidalWaves::apply(osg::StateSet& stateSet, const osg::Vec2d& anchor, d
                                        wavePhase(wave, anchor, time)));
         reach += wave.amplitude;
     }
-    bindings::set(stateSet, bindings::WAVE_COUNT, static_cast<int>(_waves.size()));
-    bindings::set(stateSet, bindings::WAVE_ITERATIONS, newtonSteps(getSteepness()));
-    bindings::set(stateSet, bindings::WAVE_REACH, static_cast<float>(reach));
-    bindings::set(stateSet, bindings::WAVE_RISE, static_cast<float>(meanSink(_waves)));
+    bindings::set(stateSet, WAVE_TERM_COUNT, static_cast<int>(_waves.size()));
+    bindings::set(stateSet, WAVE_NEWTON_STEPS, newtonSteps(getSteepness()));
+    bindings::set(stateSet, WAVE_REACH, static_cast<float>(reach));
+    bindings::set(stateSet, WAVE_RISE, static_cast<float>(meanSink(_waves)));
 }

@@ -1,8 +1,10 @@
 #include <osgWaterReflect/WaterSurface>
 
 #include "Check.h"
-#include "ViewRecord.h"
+#include "capture/CaptureVisitor.h"
 #include "surface/StillWater.h"
+#include "view/StatusBoard.h"
+#include "view/ViewRecord.h"
 
 #include <osg/Geometry>
 #include <osg/io_utils>
@@ -57,15 +59,25 @@ osg::ref_ptr<osg::Geometry> createGeometry(osg::Vec3Array* vertices)
     return geometry;
 }
 
+bool expectDrawable(const char* member, const osg::Node* child)
+{
+    if (child && child->asDrawable()) return true;
+    return refuse(member, "a drawable", child ? child->getCompoundClassName() : "null");
+}
+
 } // namespace
 
-WaterSurface::WaterSurface() = default;
+WaterSurface::WaterSurface() :
+    _waveBounds(std::make_shared<WaveBounds>()), _status(std::make_shared<StatusBoard>())
+{
+}
 
 WaterSurface::WaterSurface(const WaterSurface& rhs, const osg::CopyOp& copyop) :
-    osg::Geode(rhs, copyop), _reflection(rhs._reflection), _optics(rhs._optics),
-    _detail(rhs._detail),
+    osg::Geode(rhs, copyop), _reflection(rhs._reflection), _viewSettings(rhs._viewSettings),
+    _optics(rhs._optics), _detail(rhs._detail),
     _waves(static_cast<WaveModel*>(copyop(static_cast<osg::Object*>(rhs._waves.get())))),
-    _sky(static_cast<osg::TextureCubeMap*>(copyop(rhs._sky.get()))), _debugView(rhs._debugView)
+    _waveBounds(rhs._waveBounds), _sky(static_cast<osg::TextureCubeMap*>(copyop(rhs._sky.get()))),
+    _debugView(rhs._debugView), _status(std::make_shared<StatusBoard>())
 {
 }
 
@@ -138,10 +150,39 @@ WaterSurface* WaterSurface::createPolygon(const Outline& outline, const std::vec
     return water.release();
 }
 
+bool WaterSurface::addChild(osg::Node* child)
+{
+    return expectDrawable("WaterSurface::addChild", child) && osg::Geode::addChild(child);
+}
+
+bool WaterSurface::insertChild(unsigned int index, osg::Node* child)
+{
+    return expectDrawable("WaterSurface::insertChild", child) &&
+           osg::Geode::insertChild(index, child);
+}
+
+bool WaterSurface::replaceChild(osg::Node* oldChild, osg::Node* newChild)
+{
+    return expectDrawable("WaterSurface::replaceChild", newChild) &&
+           osg::Geode::replaceChild(oldChild, newChild);
+}
+
+bool WaterSurface::setChild(unsigned int index, osg::Node* child)
+{
+    return expectDrawable("WaterSurface::setChild", child) && osg::Geode::setChild(index, child);
+}
+
 bool WaterSurface::setReflection(const ReflectionSettings& settings)
 {
     if (!settings.check()) return false;
     _reflection = settings;
+    return true;
+}
+
+bool WaterSurface::setViewSettings(const ViewSettings& settings)
+{
+    if (!settings.check()) return false;
+    _viewSettings = settings;
     return true;
 }
 
@@ -162,6 +203,7 @@ bool WaterSurface::setDetail(const SurfaceDetail& detail)
 void WaterSurface::setWaves(WaveModel* waves)
 {
     _waves = waves;
+    _waveBounds = std::make_shared<WaveBounds>(waves);
     dirtyBound();
 }
 
@@ -173,7 +215,9 @@ osg::BoundingSphere WaterSurface::computeBound() const
     _stillWaters.clear();
     for (unsigned int i = 0; i < getNumDrawables(); ++i)
     {
-        const auto sheets = StillWater::createSheets(const_cast<osg::Drawable&>(*getDrawable(i)));
+        const osg::Drawable* const drawable = getDrawable(i);
+        if (!drawable) continue; // osg::Group's own addChild takes any node
+        const auto sheets = StillWater::createSheets(const_cast<osg::Drawable&>(*drawable));
         _stillWaters.insert(_stillWaters.end(), sheets.begin(), sheets.end());
     }
     if (_waves)
@@ -193,23 +237,23 @@ void WaterSurface::traverse(osg::NodeVisitor& visitor)
         osg::Geode::traverse(visitor);
         return;
     }
-    if (auto* capture = dynamic_cast<CaptureVisitor*>(view))
-    {
-        getBound(); // the sheets are as of the last bound
-        capture->meet(*this, _stillWaters);
-        return;
-    }
-    if (!Capture::serves(*view)) return;
+    if (dynamic_cast<CaptureVisitor*>(view) || !ViewRecord::serves(*view)) return;
 
     getBound(); // the sheets are as of the last bound
-    const double amplitude = _waves ? _waves->getAmplitude() : 0.0;
-    for (const osg::ref_ptr<StillWater>& sheet : _stillWaters)
+    ViewRecord* record = nullptr;
+    for (std::size_t i = 0; i < _stillWaters.size(); ++i)
     {
-        if (view->isCulled(sheet->localBound(amplitude))) continue;
-        ViewRecord& record = ViewRecord::of(*view);
-        remember(record);
-        record.draw(*view, *this, *sheet);
+        const StillWater& sheet = *_stillWaters[i];
+        if (view->isCulled(sheet.localBound(_waveBounds->amplitude))) continue;
+        if (!record) remember(*(record = &ViewRecord::of(*view)));
+        record->waterView(*view).enrol(
+            *view, {this, &sheet, static_cast<unsigned int>(i), _waveBounds, _status});
     }
+}
+
+std::vector<WaterStatus> WaterSurface::getStatus() const
+{
+    return _status->read();
 }
 
 void WaterSurface::remember(ViewRecord& record)

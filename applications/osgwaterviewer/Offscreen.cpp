@@ -111,7 +111,11 @@ void report(const Scene& scene, const Picture& picture, double frameTime)
                   << " m, toward " << look.breeze.directionDegrees << " degrees\n";
     else
         std::cout << "none\n";
-    std::cout << "frame: " << frameTime << " ms, the median of " << picture.frames << std::endl;
+    std::cout << "frame: " << frameTime << " ms, the median of " << picture.frames << "\n";
+    for (std::size_t i = 0; i < scene.waters.size(); ++i)
+        for (const osgWaterReflect::WaterStatus& status : scene.waters[i]->getStatus())
+            std::cout << "water " << i << ", " << status;
+    std::cout << std::flush;
 }
 
 } // namespace

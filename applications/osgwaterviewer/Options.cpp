@@ -95,8 +95,6 @@ void readReflection(OptionReader& reader, WaterLook& look)
     reader.readName("--search", "How reflected rays are looked for.", SEARCHES, reflection.search);
     reader.readName("--capture", "The image that they are looked for in.", CAPTURES,
                     reflection.capture);
-    reader.readName("--guard-band", "How far that reaches beyond the picture's borders.",
-                    GUARD_BANDS, reflection.guardBand);
     look.thicknessGiven = reader.readNumber(
         "--thickness", "LENGTH",
         "How far behind a visible surface still counts as inside it, in world units. The default " +
@@ -105,17 +103,24 @@ void readReflection(OptionReader& reader, WaterLook& look)
     reader.readNumber("--stride", "PIXELS",
                       "Of a sequential search: look at every stride-th column only.",
                       reflection.stride);
+}
+
+void readViewSettings(OptionReader& reader, osgWaterReflect::ViewSettings& settings)
+{
+    reader.readName("--guard-band",
+                    "How far the captured image reaches beyond the picture's borders.", GUARD_BANDS,
+                    settings.guardBand);
     reader.readNumber("--capture-scale", "SCALE",
                       "Size of the captured image over the view's, above 0, up to 1.",
-                      reflection.captureScale);
+                      settings.captureScale);
     reader.readNumber(
         "--trace-scale", "SCALE",
         "Size of the image that rays are searched for in first over the view's, above "
         "0, up to 1.",
-        reflection.traceScale);
+        settings.traceScale);
     reader.readNumber("--frame-time", "MILLISECONDS",
                       "Give up accuracy step by step where frames take longer; 0: never.",
-                      reflection.frameTimeTarget);
+                      settings.frameTimeTarget);
 }
 
 void readOptics(OptionReader& reader, osgWaterReflect::WaterOptics& optics)
@@ -206,6 +211,7 @@ std::optional<Options> osgwaterviewer::readOptions(osg::ArgumentParser& argument
     reader.read("-p", "FILE", "Follow the camera path that was recorded with the z key.", "none",
                 options.pathFile);
     readReflection(reader, options.look);
+    readViewSettings(reader, options.look.viewSettings);
     readOptics(reader, options.look.optics);
     readDetail(reader, options.look.detail);
     reader.readName("--debug-view", "What is shown in place of the water.", DEBUG_VIEWS,

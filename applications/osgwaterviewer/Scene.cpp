@@ -47,6 +47,7 @@ void setLook(osgWaterReflect::WaterSurface& water, const WaterLook& look,
              osgWaterReflect::WaveModel* waves, osg::TextureCubeMap* sky)
 {
     water.setReflection(look.reflection);
+    water.setViewSettings(look.viewSettings);
     water.setOptics(look.optics);
     water.setDetail(look.detail);
     water.setDebugView(look.debugView);

@@ -15,6 +15,7 @@ const char WATER_KEY = 'x';
 const char WAVES_KEY = 'u';
 const char SEARCH_KEY = 'r';
 const char DEBUG_KEY = 'd';
+const char STATUS_KEY = 'i';
 
 void say(const std::string& what, const std::string& now)
 {
@@ -42,6 +43,9 @@ bool WaterHandler::handle(const osgGA::GUIEventAdapter& event, osgGA::GUIActionA
     case DEBUG_KEY:
         switchDebugView();
         break;
+    case STATUS_KEY:
+        sayStatus();
+        break;
     default:
         return false;
     }
@@ -57,6 +61,7 @@ void WaterHandler::getUsage(osg::ApplicationUsage& usage) const
     add(WAVES_KEY, "Toggle between calm and moving water");
     add(SEARCH_KEY, "Switch the search for the water's reflected rays");
     add(DEBUG_KEY, "Switch the water's debug view");
+    add(STATUS_KEY, "Print what was done for the water in the last frame, and why not more");
 }
 
 void WaterHandler::switchWater()
@@ -93,4 +98,11 @@ void WaterHandler::switchDebugView()
     for (const osg::ref_ptr<WaterSurface>& water : _waters)
         water->setDebugView(next.value);
     say("debug view", next.name);
+}
+
+void WaterHandler::sayStatus() const
+{
+    for (std::size_t i = 0; i < _waters.size(); ++i)
+        for (const osgWaterReflect::WaterStatus& status : _waters[i]->getStatus())
+            OSG_NOTICE << "water " << i << ", " << status << std::flush;
 }

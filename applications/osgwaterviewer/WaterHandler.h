@@ -30,6 +30,7 @@ private:
     void switchWaves();
     void switchSearch();
     void switchDebugView();
+    void sayStatus() const;
 
     Waters _waters;
     osg::ref_ptr<osgWaterReflect::WaveModel> _waves;

@@ -11,5 +11,6 @@ void WaterLook::fitTo(double modelSize)
 
 bool WaterLook::check() const
 {
-    return reflection.check() && optics.check() && detail.check() && breeze.createWaves();
+    return reflection.check() && viewSettings.check() && optics.check() && detail.check() &&
+           breeze.createWaves();
 }

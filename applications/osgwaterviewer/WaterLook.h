@@ -24,6 +24,7 @@ struct Breeze
 struct WaterLook
 {
     osgWaterReflect::ReflectionSettings reflection;
+    osgWaterReflect::ViewSettings viewSettings;
     osgWaterReflect::WaterOptics optics;
     osgWaterReflect::SurfaceDetail detail;
     osgWaterReflect::WaterSurface::DebugView debugView =

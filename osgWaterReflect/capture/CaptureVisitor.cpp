@@ -1,96 +1,99 @@
 #include "CaptureVisitor.h"
 
-#include "../Transforms.h"
-
-#include <osgWaterReflect/WaterSurface>
+#include "CaptureCamera.h"
+#include "UnsteadyShadows.h"
 
 #include <osg/Camera>
 
-#include <algorithm>
-
 using namespace osgWaterReflect;
 
-namespace
-{
-
-// The StateSets that a view's cull has pushed so far, outermost first.
-std::vector<const osg::StateSet*> pushedStateSets(osgUtil::CullVisitor& view)
-{
-    std::vector<const osg::StateSet*> stateSets;
-    for (const osgUtil::StateGraph* graph = view.getCurrentStateGraph(); graph;
-         graph = graph->_parent)
-        if (graph->getStateSet()) stateSets.push_back(graph->getStateSet());
-    std::reverse(stateSets.begin(), stateSets.end());
-    return stateSets;
-}
-
-// Of these, how many belong to the view itself: through the one that osgUtil::SceneView keeps the
-// frame's uniforms in, which it pushes last before it enters the scene.
-std::size_t countOfView(const std::vector<const osg::StateSet*>& stateSets)
-{
-    for (std::size_t i = 0; i < stateSets.size(); ++i)
-        if (stateSets[i]->getUniform("osg_FrameNumber") ||
-            stateSets[i]->getUniform("osg_ViewMatrix"))
-            return i + 1;
-    return 0;
-}
-
-// The traversal mask that the cull of the view's camera began with. What stands above the water may
-// have narrowed it since (a shadowed scene shows receivers only); what an eye of a stereo view
-// began with is the narrowest that holds what is left.
-osg::Node::NodeMask maskOfCamera(const osgUtil::CullVisitor& view)
-{
-    const auto now = view.getTraversalMask();
-    auto mask = ~osg::Node::NodeMask(0);
-    for (auto candidate : {view.getCullMask(), view.getCullMaskLeft(), view.getCullMaskRight()})
-        if ((candidate & now) == now) mask &= candidate;
-    return mask;
-}
-
-} // namespace
-
-void CaptureVisitor::cull(osgUtil::CullVisitor& view, osgUtil::RenderStage& stage,
+void CaptureVisitor::cull(const CulledView& view, osgUtil::RenderStage& stage,
                           const osg::Matrixd& eyeFromViewEye, osg::RefMatrix& projection,
                           osg::Viewport& viewport)
 {
-    osgUtil::RenderStage& viewStage = *view.getCurrentRenderStage();
-    osg::Camera& camera = *view.getCurrentCamera();
-
-    // The path from the view's root to the innermost camera that renders on its own; empty where
-    // that is the view's own camera.
-    const osg::NodePath& path = view.getNodePath();
-    const auto found = std::find(path.begin(), path.end(), &camera);
-    const osg::NodePath cameraPath(path.begin(), found == path.end() ? path.begin() : found + 1);
+    const osgUtil::RenderStage& viewStage = *view.stage;
+    osgUtil::CullVisitor& visitor = *view.visitor;
 
     reset();
-    _waters.clear();
-    setFrameStamp(const_cast<osg::FrameStamp*>(view.getFrameStamp()));
-    setTraversalNumber(view.getTraversalNumber());
-    setTraversalMask(maskOfCamera(view));
-    setTraversalMode(view.getTraversalMode());
-    setNodeMaskOverride(view.getNodeMaskOverride());
-    setDatabaseRequestHandler(view.getDatabaseRequestHandler());
-    setImageRequestHandler(view.getImageRequestHandler());
-    setCullSettings(view);
-    setRenderInfo(view.getRenderInfo());
+    setFrameStamp(const_cast<osg::FrameStamp*>(visitor.getFrameStamp()));
+    setTraversalNumber(visitor.getTraversalNumber());
+    setTraversalMask(view.traversalMask);
+    setTraversalMode(visitor.getTraversalMode());
+    setNodeMaskOverride(visitor.getNodeMaskOverride());
+    setDatabaseRequestHandler(visitor.getDatabaseRequestHandler());
+    setImageRequestHandler(visitor.getImageRequestHandler());
+    setCullSettings(view.cullSettings);
+    setRenderInfo(visitor.getRenderInfo());
 
     _captureStateGraph->clean();
     stage.reset();
     setStateGraph(_captureStateGraph.get());
     setRenderStage(&stage);
+    auto& ownCamera = static_cast<CaptureCamera&>(*stage.getCamera());
+    const CaptureCamera::CullScope scope(ownCamera, *view.stageCamera);
     // A matrix object of its own: osg::State skips one that it has loaded last, but every stage
     // loads the identity behind its back, and the view's first light would be placed by that.
     const osg::ref_ptr<osg::RefMatrix> eyeFromWorld =
-        new osg::RefMatrix(*viewStage.getInitialViewMatrix() * eyeFromViewEye);
+        new osg::RefMatrix(view.eyeFromWorld * eyeFromViewEye);
     stage.setInitialViewMatrix(eyeFromWorld);
-    stage.setColorMask(viewStage.getColorMask());
+    ownCamera.setViewMatrix(*eyeFromWorld);
+    ownCamera.setProjectionMatrix(projection);
+    stage.setColorMask(const_cast<osg::ColorMask*>(viewStage.getColorMask()));
     stage.setClearColor(viewStage.getClearColor());
     stage.setClearMask(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    inheritLights(view, stage, eyeFromViewEye);
 
-    // Lights given from outside the scene: a head light, or those above a nested camera. They are
-    // the stage's that the view inherits from; the scene's own are met again by this cull.
-    osgUtil::PositionalStateContainer* inherited = viewStage.getInheritedPositionalStateContainer();
-    if (inherited)
+    // State from outside the captured scene. The water's own and that of the nodes between is
+    // left out: it is not above the rest of the scene. Views and cameras keep their viewport in
+    // their StateSet too; the stage has another.
+    for (const osg::StateSet* stateSet : view.stateSets)
+        pushStateSet(stateSet);
+    _stageState->setAttribute(stage.getViewport());
+    tellShaders(*eyeFromWorld, view.isNested() || !eyeFromViewEye.isIdentity());
+    pushStateSet(_stageState.get());
+    for (osg::Node* node : view.cameraPath)
+        pushOntoNodePath(node);
+
+    pushViewport(&viewport);
+    pushProjectionMatrix(&projection);
+    pushReferenceViewPoint(view.referenceViewPoint * eyeFromViewEye);
+    pushModelViewMatrix(eyeFromWorld, osg::Transform::RELATIVE_RF);
+
+    if (osg::Callback* callback = view.camera->getCullCallback())
+        callback->run(view.camera, this);
+    else
+        traverse(*view.camera);
+
+    popModelViewMatrix();
+    popReferenceViewPoint();
+    popProjectionMatrix();
+    popViewport();
+    for (std::size_t i = 0; i < view.cameraPath.size(); ++i)
+        popFromNodePath();
+    for (std::size_t i = 0; i < view.stateSets.size() + 1; ++i)
+        popStateSet();
+
+    // Before anything that was culled is left out, or the branches of what is would be made anew in
+    // each frame.
+    _captureStateGraph->prune();
+}
+
+// Lights given from outside the scene: a head light, or those above a nested camera. The scene's
+// own are met again by this cull.
+void CaptureVisitor::inheritLights(const CulledView& view, osgUtil::RenderStage& stage,
+                                   const osg::Matrixd& eyeFromViewEye)
+{
+    osgUtil::RenderStage& viewStage = *view.stage;
+    osgUtil::PositionalStateContainer* const inherited =
+        viewStage.getInheritedPositionalStateContainer();
+    if (view.isNested())
+    {
+        stage.setInheritedPositionalStateContainer(viewStage.getPositionalStateContainer());
+        stage.setInheritedPositionalStateContainerMatrix(
+            osg::Matrixd::inverse(*viewStage.getInitialViewMatrix()) * view.eyeFromWorld *
+            eyeFromViewEye);
+    }
+    else if (inherited)
     {
         stage.setInheritedPositionalStateContainer(inherited);
         stage.setInheritedPositionalStateContainerMatrix(
@@ -101,52 +104,6 @@ void CaptureVisitor::cull(osgUtil::CullVisitor& view, osgUtil::RenderStage& stag
         stage.setInheritedPositionalStateContainer(viewStage.getPositionalStateContainer());
         stage.setInheritedPositionalStateContainerMatrix(eyeFromViewEye);
     }
-
-    // State from outside the captured scene. The water's own and that of the nodes between is
-    // left out: it is not above the rest of the scene.
-    std::vector<const osg::StateSet*> stateSets = pushedStateSets(view);
-    stateSets.resize(countOfView(stateSets));
-    for (const osg::Node* node : cameraPath)
-        if (node->getStateSet()) stateSets.push_back(node->getStateSet());
-    // Views and cameras keep their viewport in their StateSet too; the stage has another.
-    _stageState->setAttribute(stage.getViewport());
-    tellShaders(*eyeFromWorld, !eyeFromViewEye.isIdentity());
-    stateSets.push_back(_stageState.get());
-    for (const osg::StateSet* stateSet : stateSets)
-        pushStateSet(stateSet);
-    for (osg::Node* node : cameraPath)
-        pushOntoNodePath(node);
-
-    pushViewport(&viewport);
-    pushProjectionMatrix(&projection);
-    pushReferenceViewPoint(view.getReferenceViewPoint() * eyeFromViewEye);
-    pushModelViewMatrix(eyeFromWorld, osg::Transform::RELATIVE_RF);
-
-    if (osg::Callback* callback = camera.getCullCallback())
-        callback->run(&camera, this);
-    else
-        traverse(camera);
-
-    popModelViewMatrix();
-    popReferenceViewPoint();
-    popProjectionMatrix();
-    popViewport();
-    for (std::size_t i = 0; i < cameraPath.size(); ++i)
-        popFromNodePath();
-    for (std::size_t i = 0; i < stateSets.size(); ++i)
-        popStateSet();
-}
-
-void CaptureVisitor::finish(osgUtil::RenderStage& stage)
-{
-    stage.sort();
-    _captureStateGraph->prune();
-}
-
-void CaptureVisitor::meet(const WaterSurface& water,
-                          const std::vector<osg::ref_ptr<StillWater>>& sheets)
-{
-    _waters.push_back({&water, &sheets, fromOsg(*getModelViewMatrix()), water.getReflection()});
 }
 
 // The view hands its matrices to shaders of the scene, which are to know of another eye.
@@ -159,6 +116,13 @@ void CaptureVisitor::tellShaders(const osg::Matrixd& eyeFromWorld, bool anotherE
     };
     tell("osg_ViewMatrix", eyeFromWorld);
     tell("osg_ViewMatrixInverse", osg::Matrixd::inverse(eyeFromWorld));
+}
+
+void CaptureVisitor::apply(osg::Group& group)
+{
+    const std::string unsteady = unsteadyShadowsOf(group);
+    if (!unsteady.empty()) _unsteadyShadows = unsteady;
+    osgUtil::CullVisitor::apply(group);
 }
 
 // Cameras of the scene that render on their own have been, or will be, culled by the view: a

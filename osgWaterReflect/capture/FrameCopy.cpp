@@ -1,9 +1,9 @@
 #include "FrameCopy.h"
 
 #include "../Transforms.h"
+#include "../passes/RenderStateGuard.h"
+#include "../shaders/Bindings.h"
 #include "../shaders/SharedProgram.h"
-#include "../trace/Bindings.h"
-#include "Interlude.h"
 
 #include <osg/Depth>
 #include <osg/GLExtensions>
@@ -14,7 +14,7 @@ using namespace osgWaterReflect;
 namespace
 {
 
-// The last before the water's (trace/SheetPass.cpp).
+// The last before the water's (water/WaterDraw.cpp).
 const int BIN = 8;
 
 const int UNIT_COLOUR = 0;
@@ -87,22 +87,23 @@ FrameCopy::FrameCopy() : _frame(new FrameImages), _stage(new Stage(*this))
 
 osg::ref_ptr<osg::Program> FrameCopy::program()
 {
-    return sharedProgram("pyramid.vert", "frame_copy.frag");
+    return sharedProgram("fullscreen.vert", "frame_copy.frag");
 }
 
-void FrameCopy::require(osgUtil::CullVisitor& view, osg::Camera& target, const osg::Viewport& place,
+void FrameCopy::arrange(const CulledView& view, osg::Camera& target, const osg::Viewport& place,
                         const osg::RefMatrix& captureProjection)
 {
-    osgUtil::RenderStage& viewStage = *view.getCurrentRenderStage();
+    osgUtil::RenderStage& viewStage = *view.stage;
     _viewport = viewStage.getViewport();
-    _frameProjection = view.getProjectionMatrix();
+    _frameProjection = view.fittedProjection;
     _captureProjection = &captureProjection;
     _colourFormat =
         target.getBufferAttachmentMap()[osg::Camera::COLOR_BUFFER0]._texture->getInternalFormat();
 
     _stage->setCamera(&target);
     _stage->setClearColor(viewStage.getClearColor());
-    _stage->stateSet().setAttributeAndModes(program());
+    if (!_stage->stateSet().getAttribute(osg::StateAttribute::PROGRAM))
+        _stage->stateSet().setAttributeAndModes(program());
     _stage->prepare(place.x(), place.y(), place.width(), place.height());
     const double pixelX = _viewport->width() / place.width();
     const double pixelY = _viewport->height() / place.height();
@@ -125,7 +126,7 @@ osgUtil::RenderStage* FrameCopy::stageIn(osgUtil::RenderStage& viewStage)
 void FrameCopy::draw(osg::RenderInfo& renderInfo, const osgUtil::RenderLeaf* last)
 {
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING_EXT, &_framebuffer);
-    const Interlude interlude(*renderInfo.getState(), last);
+    const RenderStateGuard guard(*renderInfo.getState(), last);
     osgUtil::RenderLeaf* none = nullptr;
     _stage->draw(renderInfo, none);
 }

@@ -1,36 +1,36 @@
 #ifndef OSGWATERREFLECT_CAPTURE_FRAMECOPY_H
 #define OSGWATERREFLECT_CAPTURE_FRAMECOPY_H
 
-#include "../pyramid/ImageStage.h"
+#include "../passes/GLObjects.h"
+#include "../passes/ImageStage.h"
+#include "CulledView.h"
 #include "FrameImages.h"
 
 #include <osg/Camera>
 #include <osg/Program>
 #include <osg/Viewport>
-#include <osgUtil/CullVisitor>
 
 namespace osgWaterReflect
 {
 
 /// Copies what a view's stage has drawn so far into a capture, in the middle of that stage: after
 /// what is opaque and before the water. The stage goes on as if nothing had happened.
-class FrameCopy : public osg::Referenced
+class FrameCopy : public GLObjects
 {
 public:
     FrameCopy();
 
-    /// Arranges the copy in the view's cull, once in each.
+    /// Arranges the copy in a view's stage, once in each cull.
     ///   target             holds the capture's images: attachments COLOR_BUFFER0 and DEPTH_BUFFER
     ///   place              [pixels] where in them the view's image goes; what is beside it stays.
     ///                      Of another size than the view's viewport: the nearest of its pixels
     ///   captureProjection  differs from the view's in near and far, and in the frustum's sides by
-    ///                      what is beside the place. Both are read when the copy is drawn, for
-    ///                      OSG fits near and far to the scene when a cull ends
+    ///                      what is beside the place. Both are read when the copy is drawn
     /// Where the view has no depth buffer, all that the place is in is cleared instead.
-    void require(osgUtil::CullVisitor& view, osg::Camera& target, const osg::Viewport& place,
+    void arrange(const CulledView& view, osg::Camera& target, const osg::Viewport& place,
                  const osg::RefMatrix& captureProjection);
 
-    /// What is drawn for the copy. Stages after it in its post-render list, added after require(),
+    /// What is drawn for the copy. Stages after it in its post-render list, added after arrange(),
     /// are drawn before the water, too. They must not count as dynamic: OSG does not count them.
     osgUtil::RenderStage& stage() { return *_stage; }
 
@@ -41,8 +41,8 @@ public:
     /// What it runs.
     static osg::ref_ptr<osg::Program> program();
 
-    void releaseGLObjects(osg::State* state) const;
-    void resizeGLObjectBuffers(unsigned int maxSize);
+    void releaseGLObjects(osg::State* state) const override;
+    void resizeGLObjectBuffers(unsigned int maxSize) override;
 
 private:
     class DrawCallback;

@@ -20,8 +20,8 @@ public:
     FrameImages();
 
     /// Copies the part of the bound draw framebuffer that a viewport shows, drawing what is drawn
-    /// so far. Binds other framebuffers and textures; to be called in an Interlude. False where
-    /// there is no depth to copy.
+    /// so far. Binds other framebuffers and textures; to be called within a RenderStateGuard. False
+    /// where there is no depth to copy.
     bool copy(osg::State& state, const osg::Viewport& viewport, GLint colourFormat);
 
     osg::Texture2D* colour() const { return _colour.get(); }

@@ -1,7 +1,6 @@
 #include "MirroredEye.h"
 
 #include "../Transforms.h"
-#include "../surface/EyeHeight.h"
 
 #include <glm/common.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -46,19 +45,14 @@ glm::dvec4 carried(const glm::dmat4& matrix, const glm::dvec4& plane)
 
 } // namespace
 
-CaptureEye osgWaterReflect::viewEye(osgUtil::CullVisitor& view)
+CaptureEye osgWaterReflect::viewEye(const glm::dmat4& clipFromEye)
 {
-    return {glm::dmat4(1.0), fromOsg(*view.getProjectionMatrix()), std::nullopt};
+    return {glm::dmat4(1.0), clipFromEye, std::nullopt};
 }
 
-CaptureEye osgWaterReflect::mirroredEye(osgUtil::CullVisitor& view, const WaterSurface& water,
-                                        const StillWater& sheet)
+CaptureEye osgWaterReflect::mirroredEye(const glm::dmat4& eyeFromSurface,
+                                        const glm::dmat4& clipFromEye, bool above)
 {
-    const glm::dmat4 eyeFromSurface =
-        fromOsg(*view.getModelViewMatrix()) * sheet.localFromSurface();
-    const glm::dmat4 clipFromEye = fromOsg(*view.getProjectionMatrix());
-    const double time = view.getFrameStamp() ? view.getFrameStamp()->getSimulationTime() : 0.0;
-    const bool above = heightOfEye(eyeFromSurface, clipFromEye, water.getWaves(), time) >= 0.0;
     const glm::dvec4 heights =
         carried(eyeFromSurface, glm::dvec4(0.0, 0.0, above ? 1.0 : -1.0, 0.0));
 

@@ -1,12 +1,6 @@
 #ifndef OSGWATERREFLECT_CAPTURE_MIRROREDEYE_H
 #define OSGWATERREFLECT_CAPTURE_MIRROREDEYE_H
 
-#include "../surface/StillWater.h"
-
-#include <osgWaterReflect/WaterSurface>
-
-#include <osgUtil/CullVisitor>
-
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
@@ -33,12 +27,13 @@ struct CaptureEye
 };
 
 /// The view's own eye.
-CaptureEye viewEye(osgUtil::CullVisitor& view);
+CaptureEye viewEye(const glm::dmat4& clipFromEye);
 
 /// The view's eye mirrored in a sheet of still water, and turned left for right: so it is a proper
 /// rotation of the view's, in which nothing winds the other way, and so is its image.
-CaptureEye mirroredEye(osgUtil::CullVisitor& view, const WaterSurface& water,
-                       const StillWater& sheet);
+///   eyeFromSurface  of the sheet
+///   above           the eye is over the water as it moves
+CaptureEye mirroredEye(const glm::dmat4& eyeFromSurface, const glm::dmat4& clipFromEye, bool above);
 
 /// Whether one capture serves both eyes: to within a twentieth of a pixel of 480 rows over
 /// 46 degrees.

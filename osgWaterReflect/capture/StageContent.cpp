@@ -5,7 +5,11 @@
 #include <osg/Depth>
 #include <osgUtil/StateGraph>
 
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
 #include <algorithm>
+#include <cmath>
 
 using namespace osgWaterReflect;
 using osgUtil::RenderBin;
@@ -42,12 +46,84 @@ NdcExtent extentOf(const RenderLeaf& leaf, const glm::dmat4& clipFromEye)
                       clipFromEye * fromOsg(*leaf._modelview));
 }
 
-// Drawables without a bound, or that are not to be culled, may be seen anywhere.
 bool isBounded(const RenderLeaf& leaf)
 {
-    const osg::Drawable& drawable = *leaf.getDrawable();
-    return drawable.getCullingActive() && drawable.getBoundingBox().valid();
+    const osg::Drawable* const drawable = leaf.getDrawable();
+    return leaf._modelview.valid() && drawable && drawable->getCullingActive() &&
+           drawable->getBoundingBox().valid();
 }
+
+// The pyramid of what is seen within an extent, to tell at little cost, and for most leaves, that
+// all of a leaf lies in it, or none: by a sphere around the leaf.
+class Pyramid
+{
+public:
+    Pyramid(const NdcExtent& extent, const glm::dmat4& clipFromEye)
+    {
+        const glm::dmat4 rows = glm::transpose(clipFromEye);
+        addSide(rows[0] - extent.left * rows[3], extent.left);
+        addSide(extent.right * rows[3] - rows[0], extent.right);
+        addSide(rows[1] - extent.bottom * rows[3], extent.bottom);
+        addSide(extent.top * rows[3] - rows[1], extent.top);
+        addSide(rows[3], 0.0); // before the eye
+    }
+
+    bool holdsAllOf(const RenderLeaf& leaf) const
+    {
+        const Sphere sphere = sphereOf(leaf);
+        for (int i = 0; i < _numSides; ++i)
+            if (height(i, sphere) < sphere.radius) return false;
+        return true;
+    }
+
+    bool holdsNoneOf(const RenderLeaf& leaf) const
+    {
+        const Sphere sphere = sphereOf(leaf);
+        for (int i = 0; i < _numSides; ++i)
+            if (height(i, sphere) < -sphere.radius) return true;
+        return false;
+    }
+
+private:
+    struct Sphere
+    {
+        osg::Vec3d centre; // in eye space
+        double radius;
+    };
+
+    // A side at infinity is none.
+    void addSide(const glm::dvec4& plane, double place)
+    {
+        if (!std::isfinite(place)) return;
+        const double length = glm::length(glm::dvec3(plane));
+        if (length > 0.0) _sides[_numSides++] = plane / length;
+    }
+
+    static Sphere sphereOf(const RenderLeaf& leaf)
+    {
+        const osg::BoundingBox& bound = leaf.getDrawable()->getBoundingBox();
+        const osg::Matrix& m = *leaf._modelview;
+        double squaredScale = 0.0;
+        for (int axis = 0; axis < 3; ++axis)
+            squaredScale =
+                std::max(squaredScale, m(axis, 0) * m(axis, 0) + m(axis, 1) * m(axis, 1) +
+                                           m(axis, 2) * m(axis, 2));
+        // Axes that are not perpendicular reach further together than the longest of them.
+        const double skewed = 1.7320508;
+        return {osg::Vec3d(bound.center()) * m,
+                skewed * bound.radius() * std::sqrt(squaredScale) * (1.0 + 1e-6)};
+    }
+
+    double height(int side, const Sphere& sphere) const
+    {
+        const glm::dvec4& plane = _sides[side];
+        return plane.x * sphere.centre.x() + plane.y * sphere.centre.y() +
+               plane.z * sphere.centre.z() + plane.w;
+    }
+
+    glm::dvec4 _sides[5];
+    int _numSides = 0;
+};
 
 // Leaves out what is bounded and refused.
 template <typename IsRefused>
@@ -71,16 +147,27 @@ void leaveOut(const StageContent& content, const IsRefused& isRefused)
 
 } // namespace
 
-NdcExtent StageContent::seenThrough(const glm::dmat4& clipFromEye, bool skies) const
+NdcExtent StageContent::seenThrough(const glm::dmat4& clipFromEye, bool skies,
+                                    const NdcExtent& asked) const
 {
     NdcExtent seen = NdcExtent::none();
+    Pyramid known(seen, clipFromEye);
+    bool all = false;
+    const auto addLeaf = [&](const RenderLeaf& leaf)
+    {
+        if (leaf._projection != &projection) return;
+        if (!seen.empty() && isBounded(leaf) && known.holdsAllOf(leaf)) return;
+        if (leaf._modelview.valid() && leaf.getDrawable())
+            seen = unite(seen, extentOf(leaf, clipFromEye));
+        known = Pyramid(seen, clipFromEye);
+        all = contains(seen, asked);
+    };
     const auto add = [&](RenderBin& bin)
     {
         for (const StateGraph* graph : bin.getStateGraphList())
-            if (skies || writesDepth(graph))
+            if (!all && (skies || writesDepth(graph)))
                 for (const auto& leaf : graph->_leaves)
-                    if (leaf->_projection == &projection)
-                        seen = unite(seen, extentOf(*leaf, clipFromEye));
+                    if (!all) addLeaf(*leaf);
     };
     forEachBin(stage, add);
     return seen;
@@ -88,12 +175,24 @@ NdcExtent StageContent::seenThrough(const glm::dmat4& clipFromEye, bool skies) c
 
 void StageContent::keepSeenThrough(const glm::dmat4& clipFromEye) const
 {
-    leaveOut(*this, [&](const RenderLeaf& leaf)
-             { return intersect(extentOf(leaf, clipFromEye), NdcExtent()).empty(); });
+    const Pyramid seen(NdcExtent(), clipFromEye);
+    leaveOut(*this,
+             [&](const RenderLeaf& leaf)
+             {
+                 return seen.holdsNoneOf(leaf) ||
+                        (!seen.holdsAllOf(leaf) &&
+                         intersect(extentOf(leaf, clipFromEye), NdcExtent()).empty());
+             });
 }
 
 void StageContent::keepBeyond(const glm::dmat4& clipFromEye) const
 {
-    leaveOut(*this, [&](const RenderLeaf& leaf)
-             { return contains(NdcExtent(), extentOf(leaf, clipFromEye)); });
+    const Pyramid seen(NdcExtent(), clipFromEye);
+    leaveOut(*this,
+             [&](const RenderLeaf& leaf)
+             {
+                 return seen.holdsAllOf(leaf) ||
+                        (!seen.holdsNoneOf(leaf) &&
+                         contains(NdcExtent(), extentOf(leaf, clipFromEye)));
+             });
 }

@@ -1,4 +1,4 @@
-# Shader files compiled into a program, as a C++ map of text by file name.
+# Shader files compiled into a program, as a C++ map of text by file name, whatever folder it is in.
 #
 #   embed_shaders(output map header files...)
 #
@@ -23,6 +23,11 @@ if(CMAKE_SCRIPT_MODE_FILE)
     string(APPEND content "const std::map<std::string, std::string> ${MAP} = {\n")
     foreach(source IN LISTS SOURCES)
         get_filename_component(name "${source}" NAME)
+        list(FIND names "${name}" index)
+        if(NOT index EQUAL -1)
+            message(FATAL_ERROR "embed_shaders: expected one file ${name}, got two")
+        endif()
+        list(APPEND names "${name}")
         file(READ "${source}" text)
         string(APPEND content "    {\"${name}\", R\"glsl(${text})glsl\"},\n")
     endforeach()

@@ -1,10 +1,11 @@
 #include "ShaderSource.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cctype>
 #include <mutex>
 #include <sstream>
 #include <utility>
-#include <vector>
 
 using namespace osgWaterReflect;
 
@@ -13,31 +14,38 @@ namespace
 
 std::mutex replacementsMutex;
 std::map<std::string, std::string> replacements;
+std::atomic<unsigned int> replacementsGeneration{0};
 
-// False where there is no such piece.
-bool findPiece(const std::string& name, std::string& text)
+// What is between the quotes of a line `#directive "name" …`; empty where it is no such line.
+std::string nameIn(const std::string& line, const std::string& directive)
 {
-    const std::lock_guard<std::mutex> lock(replacementsMutex);
-    for (const std::map<std::string, std::string>* pieces :
-         {&std::as_const(replacements), &embeddedShaders})
+    const std::string start = directive + " \"";
+    if (line.compare(0, start.size(), start) != 0) return "";
+    return line.substr(start.size(), line.find('"', start.size()) - start.size());
+}
+
+// sunGlint of sun_glint.glsl.
+std::string functionOf(const ShaderPiece& piece)
+{
+    std::string function;
+    bool capital = false;
+    for (const char c : piece.getName().substr(0, piece.getName().find('.')))
     {
-        const auto found = pieces->find(name);
-        if (found == pieces->end()) continue;
-        text = found->second;
-        return true;
+        if (c != '_') function += capital ? static_cast<char>(std::toupper(c)) : c;
+        capital = c == '_';
     }
-    return false;
+    return function;
 }
 
 class Assembler
 {
 public:
-    explicit Assembler(const std::string& waves) : _waves(waves) {}
+    explicit Assembler(const ShaderSlots& slots) : _slots(slots) {}
 
     std::string run(const std::string& name)
     {
         std::ostringstream body;
-        include(name, "the program", body);
+        include(name, nullptr, "the program", body);
 
         // #version has to stay first; what the numbers mean comes right after it.
         std::string text = body.str();
@@ -49,14 +57,27 @@ public:
     }
 
 private:
-    // Until GLSL 3.30 the line after "#line N" counts as N + 1 (its specification, 3.3).
-    void include(const std::string& name, const std::string& includer, std::ostringstream& out)
+    // Replaced, or given, or a file.
+    static std::string textOf(const std::string& name, const ShaderPiece* given,
+                              const std::string& includer)
     {
-        const std::string piece = name == "waves" ? _waves : name;
-        std::string text;
-        if (!findPiece(piece, text))
-            throw std::runtime_error("shader piece " + piece + ", included by " + includer +
-                                     ": expected a file of shaders/, got none");
+        {
+            const std::lock_guard<std::mutex> lock(replacementsMutex);
+            const auto found = replacements.find(name);
+            if (found != replacements.end()) return found->second;
+        }
+        if (given) return given->getText();
+        const auto found = embeddedShaders.find(name);
+        if (found != embeddedShaders.end()) return found->second;
+        throw std::runtime_error("shader piece " + name + ", included by " + includer +
+                                 ": expected a file of shaders/, got none");
+    }
+
+    // Until GLSL 3.30 the line after "#line N" counts as N + 1 (its specification, 3.3).
+    void include(const std::string& piece, const ShaderPiece* given, const std::string& includer,
+                 std::ostringstream& out)
+    {
+        const std::string text = textOf(piece, given, includer);
         if (std::find(_open.begin(), _open.end(), piece) != _open.end())
             throw std::runtime_error("shader piece " + piece + " includes itself");
 
@@ -67,30 +88,71 @@ private:
         std::string line;
         for (int lineNumber = 1; std::getline(lines, line); ++lineNumber)
         {
-            const std::string directive = "#include \"";
-            if (line.compare(0, directive.size(), directive) != 0)
-            {
-                out << line << "\n";
-                continue;
-            }
-            const std::size_t end = line.find('"', directive.size());
-            out << "#line 0 " << _pieces.size() << "\n";
-            include(line.substr(directive.size(), end - directive.size()), piece, out);
-            out << "#line " << lineNumber << " " << number << "\n";
+            const std::string included = nameIn(line, "#include");
+            const std::string called = nameIn(line, "#each");
+            const bool isFile = included.find('.') != std::string::npos;
+            const std::size_t before = _pieces.size();
+            if (isFile)
+                includeNext(included, nullptr, piece, out);
+            else if (!included.empty())
+                for (const ShaderSlots::Piece& inSlot : _slots.in(included))
+                    includeNext(inSlot->getName(), inSlot, piece, out);
+            if (_pieces.size() > before)
+                out << "#line " << lineNumber << " " << number << "\n";
+            else
+                out << (!included.empty() ? ""
+                        : called.empty()  ? line
+                                          : eachOf(called, line))
+                    << "\n";
         }
         _open.pop_back();
     }
 
-    std::string _waves;
+    void includeNext(const std::string& piece, const ShaderPiece* given,
+                     const std::string& includer, std::ostringstream& out)
+    {
+        out << "#line 0 " << _pieces.size() << "\n";
+        include(piece, given, includer, out);
+    }
+
+    // In one line, so that those after it keep their numbers.
+    std::string eachOf(const std::string& slot, const std::string& line) const
+    {
+        const std::string statement = line.substr(line.find('"', line.find('"') + 1) + 1);
+        std::string text;
+        for (const ShaderSlots::Piece& piece : _slots.in(slot))
+        {
+            std::string call = statement;
+            call.replace(call.find(slot + "("), slot.size(), functionOf(*piece));
+            text += call;
+        }
+        return text;
+    }
+
+    const ShaderSlots& _slots;
     std::vector<std::string> _pieces;
     std::vector<std::string> _open;
 };
 
 } // namespace
 
-std::string osgWaterReflect::assembleShader(const std::string& name, const std::string& waves)
+const ShaderPiece* osgWaterReflect::libraryPiece(const std::string& file)
 {
-    return Assembler(waves).run(name);
+    static const auto pieces = []
+    {
+        std::map<std::string, osg::ref_ptr<const ShaderPiece>> all;
+        for (const auto& shader : embeddedShaders)
+            all[shader.first] = new ShaderPiece(shader.first, shader.second);
+        return all;
+    }();
+    const auto found = pieces.find(file);
+    if (found != pieces.end()) return found->second;
+    throw std::runtime_error("shader piece " + file + ": expected a file of shaders/, got none");
+}
+
+std::string osgWaterReflect::assembleShader(const std::string& name, const ShaderSlots& slots)
+{
+    return Assembler(slots).run(name);
 }
 
 ShaderReplacement::ShaderReplacement(const std::string& name, const std::string& text) : _name(name)
@@ -98,12 +160,14 @@ ShaderReplacement::ShaderReplacement(const std::string& name, const std::string&
     const std::lock_guard<std::mutex> lock(replacementsMutex);
     if (!replacements.emplace(name, text).second)
         throw std::runtime_error("shader piece " + name + ": expected one replacement, got two");
+    ++replacementsGeneration;
 }
 
 ShaderReplacement::~ShaderReplacement()
 {
     const std::lock_guard<std::mutex> lock(replacementsMutex);
     replacements.erase(_name);
+    ++replacementsGeneration;
 }
 
 std::string ShaderReplacement::all()
@@ -113,4 +177,9 @@ std::string ShaderReplacement::all()
     for (const auto& replacement : replacements)
         text += replacement.first + '\n' + replacement.second;
     return text;
+}
+
+unsigned int ShaderReplacement::generation()
+{
+    return replacementsGeneration;
 }

@@ -1,30 +1,30 @@
 #version 130
 #include "interface.glsl"
-#include "waves"
+#include "waves.glsl"
 #include "ray.glsl"
 #include "search.glsl"
-#include "sky.glsl"
-#include "reflection.glsl"
-#include "reflected.glsl"
+#include "sighting.glsl"
+#include "reflected_ray.glsl"
+#include "trace_texel.glsl"
 
-out vec4 foundTexel;
+out vec4 tracedTexel;
 
-// What the ray of one texel of the small image has found. The normal is averaged over a pixel of
+// Traces the ray of one texel of the small image. The normal is averaged over a pixel of
 // the view, as that of the pixels about the texel is.
 void main()
 {
     vec3 toEye = normalize(eyePointEye.xyz - eyePointEye.w * pointEye);
-    vec3 normalSurface = waveNormal(place, dFdx(place) * foundFromWindow.x,
-                                    dFdy(place) * foundFromWindow.y);
-    vec3 dirEye = reflectedDir(toEye, facingNormal(normalSurface, toEye));
+    WaveSlope slope = waveSlope(placeSurface, dFdx(placeSurface) * tracedFromWindow.x,
+                                dFdy(placeSurface) * tracedFromWindow.y);
+    vec3 dirEye = reflectedDir(toEye, facingNormal(normalOf(slope.mean), toEye));
     Sighting sighting = lookFor(eyeCapture, pointEye, dirEye);
-    foundTexel = texelOf(sighting, false);
+    tracedTexel = texelOf(sighting, false);
 #if OSGWR_IMAGES == IMAGES_TWO
     if (isLost(sighting.result))
     {
         Sighting mirrored = lookFor(mirrorCapture, pointEye, dirEye);
         if (mirrored.result.reason == REASON_HIT)
-            foundTexel = texelOf(mirrored, true);
+            tracedTexel = texelOf(mirrored, true);
     }
 #elif OSGWR_IMAGES != IMAGES_ONE
 #error OSGWR_IMAGES is not one of IMAGES_

@@ -79,8 +79,8 @@ public:
     Division(const StillWater& water, const SheetView& view, const SurfaceDetail& detail,
              double coarsening) :
         _clipFromSurface(view.clipFromEye * view.eyeFromSurface),
-        _clipAmplitude(view.amplitude * _clipFromSurface[2]), _chordErrors(view.chordErrors),
-        _perSquaredCoarsening(1.0 / (coarsening * coarsening))
+        _clipAmplitude(view.waves.amplitude * _clipFromSurface[2]),
+        _chordErrors(view.waves.chordErrors), _perSquaredCoarsening(1.0 / (coarsening * coarsening))
     {
         const double eyeUnitsPerUnit = glm::length(glm::dvec3(view.eyeFromSurface[0]));
         _scaledFromSurface = view.eyeFromSurface / eyeUnitsPerUnit;
@@ -108,7 +108,7 @@ public:
         }
         // Where a wave model knows no shortest wave, an edge at the eye could be halved for ever.
         const double floor = glm::distance(lowest, highest) * SHORTEST_PART;
-        _squaredShortest = square(std::max(view.shortestEdge, floor));
+        _squaredShortest = square(std::max(view.waves.shortestEdge, floor));
 
         const std::vector<unsigned int>& indices = water.triangles();
         for (std::size_t i = 0; i < indices.size(); i += 3)
@@ -275,6 +275,12 @@ glm::dmat4 withoutClipZ(glm::dmat4 clipFromEye)
     return clipFromEye;
 }
 
+bool divideAlike(const WaveBounds& a, const WaveBounds& b)
+{
+    return a.amplitude == b.amplitude && a.shortestEdge == b.shortestEdge &&
+           a.chordErrors == b.chordErrors;
+}
+
 } // namespace
 
 bool SheetView::operator==(const SheetView& rhs) const
@@ -282,8 +288,7 @@ bool SheetView::operator==(const SheetView& rhs) const
     return eyeFromSurface == rhs.eyeFromSurface &&
            withoutClipZ(clipFromEye) == withoutClipZ(rhs.clipFromEye) &&
            viewportWidth == rhs.viewportWidth && viewportHeight == rhs.viewportHeight &&
-           amplitude == rhs.amplitude && shortestEdge == rhs.shortestEdge &&
-           chordErrors == rhs.chordErrors;
+           divideAlike(waves, rhs.waves);
 }
 
 WaveMesh::WaveMesh() : _geometry(createSurfaceGeometry()) {}

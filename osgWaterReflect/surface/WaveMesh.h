@@ -1,8 +1,8 @@
 #ifndef OSGWATERREFLECT_SURFACE_WAVEMESH_H
 #define OSGWATERREFLECT_SURFACE_WAVEMESH_H
 
-#include "ChordErrors.h"
 #include "StillWater.h"
+#include "WaveBounds.h"
 
 #include <osgWaterReflect/SurfaceDetail>
 
@@ -21,9 +21,7 @@ struct SheetView
     glm::dmat4 clipFromEye{1.0};
     double viewportWidth = 0.0;  ///< [pixels]
     double viewportHeight = 0.0; ///< [pixels]
-    double amplitude = 0.0;      ///< of the waves [surface units]
-    double shortestEdge = 0.0;   ///< [surface units] finer than this serves no wave
-    ChordErrors chordErrors;     ///< of the waves
+    WaveBounds waves;            ///< on the sheet
 
     /// Whether a sheet is divided alike: the near and far planes, which are fitted anew in every
     /// frame, do not matter.

@@ -34,7 +34,7 @@ const double SAME_WINDOW_Z = 1e-4;
 // all of its depth.
 const double LONG_RAY = 16.0;
 
-// As in shaders/ray.glsl.
+// As in ray.glsl.
 const int REASON_SKY = 1;
 const int LAST_REASON = 7;
 

@@ -3,9 +3,9 @@
 #include "../support/Catch.h"
 
 #include <osgWaterReflect/Transforms.h>
+#include <osgWaterReflect/shaders/Bindings.h>
 #include <osgWaterReflect/shaders/ShaderSource.h>
-#include <osgWaterReflect/trace/Bindings.h>
-#include <osgWaterReflect/trace/WaterProgram.h>
+#include <osgWaterReflect/water/WaterProgram.h>
 
 #include <osg/Geometry>
 #include <osg/Program>
@@ -30,7 +30,7 @@ const unsigned int UNIT_INPUTS = 2;
 const char* const INPUTS[] = {"probe_originEye",    "probe_dirEye",         "probe_disturbedOrigin",
                               "probe_disturbedDir", "probe_disturbedStart", "probe_disturbedEnd"};
 
-// As in shaders/interface.glsl.
+// As in interface.glsl.
 const int CELL = 4;
 const int CELLS_MERGED = 8;
 
@@ -46,26 +46,32 @@ std::string probeText()
     return text.str();
 }
 
-// Behind the interface, whose uniforms are what they are, every number in double precision.
+// Behind the interface every number in double precision, but for uniforms, which are what they are.
 std::string inDouble(const std::string& text)
 {
     const std::size_t first = text.find("// What follows is of single or of double precision");
     REQUIRE(first != std::string::npos);
-    std::string body = text.substr(first);
+    std::istringstream body(text.substr(first));
     const std::pair<const char*, const char*> changes[] = {
         {"\\bfloat\\b", "double"},
         {"\\b(vec[234]|mat[34])\\b", "d$1"},
         {"\\bcapture\\.(size|depthScale)\\b", "dvec2(capture.$1)"},
         {"\\bcapture\\.imageFromEye\\b", "dmat4(capture.imageFromEye)"},
-        {"\\bcapture\\.(pixelExtent|firstColumn)\\b", "double(capture.$1)"},
-        {"\\b(thickness|stride)\\b", "double($1)"}};
-    for (const auto& [from, to] : changes)
-        body = std::regex_replace(body, std::regex(from), to);
-    return text.substr(0, first) + body;
+        {"\\bcapture\\.pixelExtent\\b", "double(capture.pixelExtent)"},
+        {"\\b(hitThickness|osgwr_columnStride)\\b", "double($1)"}};
+    std::string result = text.substr(0, first);
+    for (std::string line; std::getline(body, line);)
+    {
+        if (line.compare(0, 7, "uniform") != 0)
+            for (const auto& [from, to] : changes)
+                line = std::regex_replace(line, std::regex(from), to);
+        result += line + "\n";
+    }
+    return result;
 }
 
 // The library's own pieces, whatever stands in for them.
-std::string withEmbedded(const std::string& piece)
+std::string withEmbedded(const std::string& piece, const ShaderSlots& slots)
 {
     std::istringstream lines(piece);
     std::string text;
@@ -73,16 +79,21 @@ std::string withEmbedded(const std::string& piece)
     {
         std::smatch name;
         const bool includes = std::regex_match(line, name, std::regex("#include \"(.*)\".*"));
-        text += includes ? withEmbedded(embeddedShaders.at(name[1])) : line + "\n";
+        const std::string included = name.str(1);
+        const bool isSlot = includes && included.find('.') == std::string::npos;
+        const std::string file = isSlot ? slots.in(included).front()->getName() : included;
+        text += includes ? withEmbedded(embeddedShaders.at(file), slots) : line + "\n";
     }
     return text;
 }
 
-std::string shaderText(Precision precision)
+std::string shaderText(Search search, Precision precision)
 {
+    ShaderSlots slots;
+    slots.search = searchPiece(search);
     const ShaderReplacement piece(PIECE, probeText());
-    std::string text = precision == Precision::DOUBLE ? withEmbedded(probeText())
-                                                      : assembleShader(PIECE, "waves_calm.glsl");
+    std::string text = precision == Precision::DOUBLE ? withEmbedded(probeText(), slots)
+                                                      : assembleShader(PIECE, slots);
     std::string version = "#version 130\n";
     REQUIRE(text.compare(0, version.size(), version) == 0);
     text.erase(0, version.size());
@@ -186,10 +197,9 @@ RayProbe::RayProbe(Search search, Precision precision) :
     const osg::ref_ptr<osg::Program> program = new osg::Program;
     program->addShader(new osg::Shader(osg::Shader::VERTEX,
                                        "#version 130\nvoid main() { gl_Position = gl_Vertex; }\n"));
-    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, shaderText(precision)));
+    program->addShader(new osg::Shader(osg::Shader::FRAGMENT, shaderText(search, precision)));
     _stateSet->setAttributeAndModes(program);
-    setVariant(*_stateSet, search, Images::ONE, SkySource::CAPTURED, WaterSurface::DebugView::HIT,
-               Trace::HERE);
+    setVariant(*_stateSet, Images::ONE, Trace::HERE, WaterSurface::DebugView::HIT);
     for (const GLenum mode : {GL_DEPTH_TEST, GL_CULL_FACE, GL_BLEND})
         _stateSet->setMode(mode, osg::StateAttribute::OFF);
     for (unsigned int i = 0; i < std::size(INPUTS); ++i)
@@ -224,9 +234,9 @@ void RayProbe::setImage(const RayImage& image)
                   osg::Vec2(depthScale.x, depthScale.y));
     bindings::set(*_stateSet, capture + bindings::PIXEL_EXTENT,
                   static_cast<float>(image.pixelExtent()));
-    bindings::set(*_stateSet, capture + bindings::FIRST_COLUMN, image.mirrored ? 0.0f : 1.0f);
-    bindings::set(*_stateSet, bindings::THICKNESS, static_cast<float>(image.thickness));
-    bindings::set(*_stateSet, bindings::STRIDE, static_cast<float>(image.stride));
+    bindings::set(*_stateSet, capture + bindings::MIRRORED, image.mirrored);
+    bindings::set(*_stateSet, bindings::HIT_THICKNESS, static_cast<float>(image.thickness));
+    bindings::set(*_stateSet, bindings::COLUMN_STRIDE, static_cast<float>(image.stride));
 }
 
 std::vector<RayAnswer> RayProbe::run(const RayImage& image, const std::vector<Ray>& rays,

@@ -69,7 +69,7 @@ RayImage imageOf(const CapturedImage& captured, const WaterSurface& water)
     return image;
 }
 
-// As shaders/reflected.glsl has it.
+// As reflected_ray.glsl has it.
 glm::vec3 reflectedDir(const glm::vec3& toEye, const glm::vec3& normal, const glm::vec3& still)
 {
     const glm::vec3 reflected = glm::reflect(-toEye, normal);

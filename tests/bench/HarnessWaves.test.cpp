@@ -15,13 +15,16 @@ using osgwaterbench::HarnessWaves;
 
 TEST_CASE("harness waves have the same normals in GLSL, at height 0")
 {
-    ShaderProbe probe(osgwaterbench::benchShaders.at("waves_harness.glsl") +
+    const osg::ref_ptr<HarnessWaves> waves = new HarnessWaves;
+    osgWaterReflect::ShaderSlots slots;
+    slots.waves = waves->getShaderPiece();
+    ShaderProbe probe("#include \"waves.glsl\"\n"
                       "vec4 probe(vec4 first, vec4 second)\n"
                       "{\n"
-                      "    return vec4(waveNormal(first.xy, second.xy, second.zw),\n"
+                      "    return vec4(normalOf(waveSlope(first.xy, second.xy, second.zw).mean),\n"
                       "                waveHeight(first.xy));\n"
-                      "}\n");
-    const osg::ref_ptr<HarnessWaves> waves = new HarnessWaves;
+                      "}\n",
+                      slots);
     REQUIRE(waves->setWaves({{{0.8, 0.6}, 3.0, 0.0, 1.0}, {{-0.4, 0.9}, 5.0, 1.0, 0.6}}, 0.15));
     for (const osg::Vec2d& anchor : {osg::Vec2d(0, 0), osg::Vec2d(48000.3, -7.7)})
     {

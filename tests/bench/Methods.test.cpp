@@ -10,7 +10,7 @@
 
 #include <osgWaterReflect/TrochoidalWaves>
 #include <osgWaterReflect/reference/SceneTracer.h>
-#include <osgWaterReflect/trace/WaterProgram.h>
+#include <osgWaterReflect/water/WaterProgram.h>
 
 #include <osg/ShapeDrawable>
 
@@ -440,7 +440,9 @@ TEST_CASE("methods alternate without paying for one another")
             // Whoever asks while the method is at work gets its program: the one of round 0.
             const auto before = view.bed.programs.size();
             const MethodScope scope(method, view.bed);
-            const osg::ref_ptr<osg::Program> program = waterProgram(nullptr);
+            const osg::ref_ptr<osg::Program> program =
+                programOf(keyOf(WaterPass::SHADE, *view.bed.water, method.settings, Images::ONE,
+                                effectsOf(*view.bed.water, EffectView())));
             CHECK(view.bed.programs.size() == before);
             if (round == 0)
             {

@@ -50,7 +50,7 @@ TEST_CASE("the two references agree but for silhouettes where screen space loses
         BenchView view(*scene, SIZE, BenchView::Purpose::MEASURE);
         const osg::ref_ptr<osgWaterReflect::WaveModel> waves = createWaves("boxes", slope);
         view.setWaves(waves);
-        osgWaterReflect::ReflectionSettings settings = searchOfView();
+        osgWaterReflect::WaterSettings settings = searchOfView();
         settings.guardBand = osgWaterReflect::GuardBandKind::NONE; // the view's own pixels
         view.setMethod(libraryMethod("without a band", settings));
         const DrawnWater drawn = readDrawnWater(view);

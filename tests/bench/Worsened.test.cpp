@@ -16,7 +16,7 @@ namespace
 // In which fetches are one for each column.
 Method sequentialMethod()
 {
-    osgWaterReflect::ReflectionSettings settings;
+    osgWaterReflect::WaterSettings settings;
     settings.capture = osgWaterReflect::CaptureKind::VIEW;
     settings.search = osgWaterReflect::Search::SEQUENTIAL;
     return libraryMethod("sequential", settings);
@@ -34,7 +34,7 @@ Method worsened(const std::string& piece, const std::string& line, const std::st
     return method;
 }
 
-// Of reflection.glsl.
+// Of sighting.glsl.
 const std::string FOUND = "sighting.result = searchImage(capture, sighting.ray);";
 
 double percent(const Accuracy& accuracy, TrueClass trueClass, Outcome outcome)
@@ -63,7 +63,7 @@ TEST_CASE("a search that is made worse is caught by every measure meant to catch
     SECTION("hits are 3 px beside the place")
     {
         const Accuracy worse = measurement.measure(
-            worsened("reflection.glsl", FOUND,
+            worsened("sighting.glsl", FOUND,
                      FOUND + " sighting.result.window.x = "
                              "min(sighting.result.window.x + 3.0, capture.size.x - 0.5);"));
         CHECK(percent(worse, TrueClass::VISIBLE, Outcome::MISPLACED) > 80.0);
@@ -76,7 +76,7 @@ TEST_CASE("a search that is made worse is caught by every measure meant to catch
     SECTION("nothing is found")
     {
         const Accuracy worse = measurement.measure(
-            worsened("reflection.glsl", FOUND, FOUND + " sighting.result.reason = REASON_SKY;"));
+            worsened("sighting.glsl", FOUND, FOUND + " sighting.result.reason = REASON_SKY;"));
         CHECK(percent(worse, TrueClass::VISIBLE, Outcome::MISSED) == 100.0);
         CHECK(percent(worse, TrueClass::SKY, Outcome::CORRECT) == 100.0);
         CHECK(!worse.measures.hitErrorPixels);
@@ -100,15 +100,15 @@ TEST_CASE("a search that is made worse is caught by every measure meant to catch
     SECTION("colours are darker, places the same")
     {
         const Accuracy worse = measurement.measure(
-            worsened("reflection.glsl", "struct Sighting\n",
-                     "#define finiteColour(c) (0.8 * finiteColour(c))\nstruct Sighting\n"));
+            worsened("reflection.glsl", "struct Reflection\n",
+                     "#define finiteColour(c) (0.8 * finiteColour(c))\nstruct Reflection\n"));
         CHECK(percent(worse, TrueClass::VISIBLE, Outcome::CORRECT) == ownRight);
         CHECK(worse.picture.rmse > 1.1 * own.picture.rmse);
     }
     SECTION("depths are fetched twice")
     {
-        const Accuracy worse = measurement.measure(worsened(
-            "search.glsl", "    COUNT_DEPTH_FETCH\n", "    COUNT_DEPTH_FETCH COUNT_DEPTH_FETCH\n"));
+        const Accuracy worse = measurement.measure(
+            worsened("search.glsl", "    COUNT_FETCH\n", "    COUNT_FETCH COUNT_FETCH\n"));
         CHECK(worse.measures.meanFetches.value() == Approx(2.0 * own.measures.meanFetches.value()));
         CHECK(worse.picture.rmse == own.picture.rmse);
     }

@@ -6,10 +6,12 @@
 #include "support/Scenes.h"
 
 #include <osgWaterReflect/TrochoidalWaves>
-#include <osgWaterReflect/choice/FramePace.h>
+#include <osgWaterReflect/view/FramePace.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <sstream>
 
 using namespace osgWaterReflect;
 
@@ -107,12 +109,13 @@ double jump(BoxesView& view, const Turn& turn)
 
 } // namespace
 
-// Falls with the rules of settle(), and where ViewSettings looks at explicit settings.
+// Falls with the rules of settle(), and where SettledSettings looks at explicit settings.
 TEST_CASE("a calm pond is captured by the mirrored eye only, ponds at two levels by the view's")
 {
     BoxesView view;
     CHECK(view.kinds() == "m");
-    CHECK(view.captured->stages == 6); // the capture, its straight windowZ, four of its pyramid
+    CHECK(view.captured->stages ==
+          7); // the capture, its straight windowZ, four of its cells, its sky
 
     // In the same plane, and at another level but behind the eye.
     view.scene->addChild(createPond(osg::Vec3(0, -30, 0), 20.0));
@@ -220,12 +223,12 @@ TEST_CASE("frames that take too long make captures cheaper, and fast ones dearer
         }
         return width;
     };
-    FramePace::of(view.camera()).clock = [&] { return now; };
+    FramePace::of(view.camera())->clock = [&] { return now; };
     CHECK(run(50) == 160); // no target
 
-    ReflectionSettings settings;
+    ViewSettings settings;
     settings.frameTimeTarget = 100.0;
-    REQUIRE(view.lake->setReflection(settings));
+    REQUIRE(view.lake->setViewSettings(settings));
     // Two steps, a window of 15 frames and those in flight each. Half as large it takes 90 ms.
     CHECK(run(60) == 80);
     CHECK(run(60) == 80);
@@ -234,6 +237,77 @@ TEST_CASE("frames that take too long make captures cheaper, and fast ones dearer
     load = 0.15;
     CHECK(run(60) == 80);
     settings.frameTimeTarget = 0.0;
-    REQUIRE(view.lake->setReflection(settings));
+    REQUIRE(view.lake->setViewSettings(settings));
     CHECK(run(1) == 160);
+}
+
+// Breaks where FramePace is kept in the camera's user data, which is written with the camera.
+TEST_CASE("what paces a camera's frames is not part of the scene")
+{
+    BoxesView view;
+    ViewSettings settings;
+    settings.frameTimeTarget = 16.0;
+    REQUIRE(view.lake->setViewSettings(settings));
+    view.render(view.scene);
+    const osg::UserDataContainer* const data = view.camera().getUserDataContainer();
+    CHECK((!data || data->getNumUserObjects() == 0));
+    CHECK(FramePace::of(view.camera()) == FramePace::of(view.camera()));
+}
+
+// Breaks where captures go with the frame that has no use for them: a choice that comes and goes
+// would make textures anew each time.
+TEST_CASE("a choice that comes and goes keeps its textures, and one that has gone gives them back")
+{
+    double now = 0.0;
+    BoxesView view;
+    view.record().clock = [&now] { return now; };
+    std::set<osg::ref_ptr<osg::Texture>> textures;
+    const osg::ref_ptr<WaterSurface> high = createPond(osg::Vec3(2, 8, 0.5), 2.0);
+    for (int i = 0; i < 20; ++i)
+    {
+        now += 1.0 / 60.0;
+        if (i % 2)
+            view.scene->addChild(high);
+        else
+            view.scene->removeChild(high);
+        CHECK(view.kinds() == (i % 2 ? "v" : "m"));
+        for (const auto& texture : view.captured->textures)
+            textures.insert(texture.get());
+    }
+    CHECK(textures.size() == 5); // colour and windowZ of both, and one of them straightened
+    CHECK(view.record().numCaptures() == 2);
+    now += 1.1 * WaterView::HOLD_TIME;
+    CHECK(view.kinds() == "v");
+    CHECK(view.record().numCaptures() == 1);
+}
+
+// Breaks where a status is not told of each sheet and view, or tells of an image that is not taken.
+TEST_CASE("water tells what its last frame did, and why not more")
+{
+    BoxesView view;
+    CHECK(view.lake->getStatus().empty());
+    view.render(view.scene);
+    std::vector<WaterStatus> status = view.lake->getStatus();
+    REQUIRE(status.size() == 1);
+    CHECK(status[0].camera == &view.camera());
+    REQUIRE(status[0].images.size() == 1);
+    CHECK(status[0].images[0].kind == CaptureKind::MIRROR);
+    CHECK(status[0].images[0].width == 160);
+    CHECK(status[0].passes == view.captured->stages);
+    CHECK(status[0].program.find("water.frag") != std::string::npos);
+
+    view.lake->setWaves(TrochoidalWaves::createBreeze(2.0, 0.05));
+    view.turn(45.0);
+    view.render(view.scene);
+    status = view.lake->getStatus();
+    REQUIRE(status.size() == 1);
+    REQUIRE(status[0].images.size() == 2);
+    CHECK(status[0].images[0].kind == CaptureKind::VIEW);
+    CHECK(status[0].images[0].height > 120);
+    CHECK(status[0].images[1].kind == CaptureKind::MIRROR);
+    CHECK(status[0].passes == view.captured->stages);
+    std::ostringstream text;
+    text << status[0];
+    CHECK(text.str().find("drawn from the mirrored eye, 160 x 120") != std::string::npos);
+    CHECK(text.str().find("guard band: yes") != std::string::npos);
 }

@@ -81,9 +81,9 @@ osg::ref_ptr<osg::StateSet> createLoudState()
 
 WaterSurface& withScale(WaterSurface& water, double scale)
 {
-    ReflectionSettings settings = water.getReflection();
+    osgWaterReflect::ViewSettings settings = water.getViewSettings();
     settings.captureScale = scale;
-    REQUIRE(water.setReflection(settings));
+    REQUIRE(water.setViewSettings(settings));
     return water;
 }
 
@@ -253,7 +253,7 @@ TEST_CASE("however many waters a view sees, the scene is culled and drawn once m
         visits->count = 0;
         view.render(root);
         CHECK(visits->count == 2);
-        CHECK(view.captured->stages == 5); // and its pyramid is built once
+        CHECK(view.captured->stages == 6); // and its cells and its sky are computed once
     }
 }
 

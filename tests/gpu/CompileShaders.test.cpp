@@ -1,6 +1,7 @@
 #include "support/Catch.h"
 #include "support/OffscreenView.h"
 #include "support/Scenes.h"
+#include "support/StandingWave.h"
 
 #include <osgWaterReflect/CompileShaders>
 #include <osgWaterReflect/TrochoidalWaves>
@@ -16,6 +17,7 @@ using osgWaterReflect::CaptureKind;
 using osgWaterReflect::CompileShaders;
 using osgWaterReflect::TrochoidalWaves;
 using osgWaterReflect::WaterSurface;
+using osgWaterReflect::WaveModel;
 
 namespace
 {
@@ -82,8 +84,10 @@ void drawVariants(OffscreenView& view, bool others)
                     lake->setSky(sky ? createSky().get() : nullptr);
                     auto settings = lake->getReflection();
                     settings.capture = capture;
-                    settings.traceScale = traceScale;
                     REQUIRE(lake->setReflection(settings));
+                    auto viewSettings = lake->getViewSettings();
+                    viewSettings.traceScale = traceScale;
+                    REQUIRE(lake->setViewSettings(viewSettings));
                     view.render(root);
                     view.render(root);
                 }
@@ -101,8 +105,9 @@ TEST_CASE("after CompileShaders no variant of the water is compiled at its first
         const ListenToLinks links;
         view.viewer().realize();
         // 2 waves, 1 or 2 captures, and of these 2 skies of the water, 2 of what samples the small
-        // image, 1 for that; 3 of the pyramid, 1 of a mirrored capture, 1 of a copied frame.
-        CHECK(links.count() == 25);
+        // image, 1 for that; 3 of the pyramid, 1 of the sky, 1 of a mirrored capture, 1 of a
+        // copied frame.
+        CHECK(links.count() == 26);
     }
     CHECK(compile->getNumCompiled() == 20);
     CHECK(compile->getNumFailed() == 0);
@@ -121,9 +126,105 @@ TEST_CASE("without CompileShaders a variant is compiled at its first draw, and o
         const ListenToLinks links;
         drawVariants(view, false);
         // 1 or 2 captures, and of these the water, what samples the small image and what is for
-        // that; 5 more as above.
-        CHECK(links.count() == 11);
+        // that; 6 more as above.
+        CHECK(links.count() == 12);
     }
+}
+
+namespace
+{
+
+// Number of programs that are linked in two frames of a scene.
+int countLinks(OffscreenView& view, osg::Node* scene)
+{
+    const ListenToLinks links;
+    view.render(scene);
+    view.render(scene);
+    return links.count();
+}
+
+osg::ref_ptr<WaterSurface> createLakeWith(CaptureKind capture, double traceScale, WaveModel* waves,
+                                          osg::TextureCubeMap* sky)
+{
+    const osg::ref_ptr<WaterSurface> lake = scenes::createLake();
+    auto settings = lake->getReflection();
+    settings.capture = capture;
+    REQUIRE(lake->setReflection(settings));
+    auto viewSettings = lake->getViewSettings();
+    viewSettings.traceScale = traceScale;
+    REQUIRE(lake->setViewSettings(viewSettings));
+    lake->setWaves(waves);
+    lake->setSky(sky);
+    return lake;
+}
+
+} // namespace
+
+// Breaks where CompileShaders leaves one of them out, compiles for a cube map that no water has, or
+// counts a water twice.
+TEST_CASE("for a scene CompileShaders compiles what drawing it would, and no more")
+{
+    const osg::ref_ptr<TrochoidalWaves> breeze = TrochoidalWaves::createBreeze(2.0, 0.1);
+    const osg::ref_ptr<osg::TextureCubeMap> sky = createSky();
+    const osg::ref_ptr<WaterSurface> debugged =
+        createLakeWith(CaptureKind::VIEW, 1.0, nullptr, nullptr);
+    debugged->setDebugView(WaterSurface::DebugView::REASON);
+    const osg::ref_ptr<osg::Group> scenesOf[] = {
+        scenes::together({createLakeWith(CaptureKind::VIEW, 1.0, nullptr, nullptr)}),
+        scenes::together({createLakeWith(CaptureKind::VIEW, 0.5, breeze, sky)}),
+        scenes::together({createLakeWith(CaptureKind::FRAME, 1.0, new StandingWave, nullptr)}),
+        scenes::together({createLakeWith(CaptureKind::MIRROR, 1.0, nullptr, sky)}),
+        scenes::together({createLakeWith(CaptureKind::VIEW_AND_MIRROR, 0.5, breeze, nullptr),
+                          createLakeWith(CaptureKind::VIEW, 1.0, nullptr, sky),
+                          createLakeWith(CaptureKind::VIEW, 1.0, nullptr, sky)}),
+        scenes::together({debugged}),
+        scenes::together({scenes::createHarbour()})};
+    for (const osg::ref_ptr<osg::Group>& scene : scenesOf)
+    {
+        INFO("scene " << &scene - scenesOf);
+        int needed = 0;
+        {
+            OffscreenView view(32, 24);
+            needed = countLinks(view, scene);
+        }
+        OffscreenView view(32, 24);
+        const osg::ref_ptr<CompileShaders> compile = new CompileShaders(scene);
+        view.viewer().setRealizeOperation(compile);
+        {
+            const ListenToLinks links;
+            view.viewer().realize();
+            CHECK(links.count() == needed);
+        }
+        CHECK(compile->getNumFailed() == 0);
+        CHECK(countLinks(view, scene) == 0);
+    }
+}
+
+// Breaks where CompileShaders takes AUTOMATIC for one of its outcomes, or leaves out the steps that
+// a frame time leads to.
+TEST_CASE("for a scene that leaves its settings open CompileShaders compiles each outcome")
+{
+    const osg::ref_ptr<WaterSurface> lake = scenes::createLake();
+    REQUIRE(lake->setReflection(osgWaterReflect::ReflectionSettings()));
+    osgWaterReflect::ViewSettings settings;
+    settings.frameTimeTarget = 1e-3; // never met
+    REQUIRE(lake->setViewSettings(settings));
+    lake->setWaves(TrochoidalWaves::createBreeze(2.0, 0.1));
+    const osg::ref_ptr<osg::Group> root = scenes::together({scenes::createHarbour(), lake});
+
+    OffscreenView view(32, 24);
+    view.look(scenes::HARBOUR_EYE, scenes::HARBOUR_CENTRE);
+    const osg::ref_ptr<CompileShaders> compile = new CompileShaders(root);
+    view.viewer().setRealizeOperation(compile);
+    view.viewer().realize();
+    // Two captures and one; and of one, for there is no time for two by then, what samples the
+    // small image and what is for that.
+    CHECK(compile->getNumCompiled() == 4);
+    CHECK(compile->getNumFailed() == 0);
+    int links = 0;
+    for (int frame = 0; frame < 60; ++frame)
+        links += countLinks(view, root);
+    CHECK(links == 0);
 }
 
 // As a core profile asks for. The scene has a program of its own: fixed functions know nothing of

@@ -8,7 +8,7 @@
 
 #include <osgWaterReflect/Transforms.h>
 #include <osgWaterReflect/TrochoidalWaves>
-#include <osgWaterReflect/trace/Bindings.h>
+#include <osgWaterReflect/shaders/Bindings.h>
 
 #include <osg/Program>
 
@@ -34,16 +34,16 @@ osg::Vec3d xyz(const osg::Vec4& v)
     return osg::Vec3d(v.x(), v.y(), v.z());
 }
 
-// Answers of a function of reflected.glsl, over level water in eye space's own axes.
+// Answers of a function of reflected_ray.glsl, over level water in eye space's own axes.
 std::vector<osg::Vec4> ask(const std::string& function, const std::vector<osg::Vec4>& first,
                            const std::vector<osg::Vec4>& second, float side)
 {
     ShaderProbe probe("#include \"interface.glsl\"\n"
-                      "#include \"reflected.glsl\"\n"
+                      "#include \"reflected_ray.glsl\"\n"
                       "vec4 probe(vec4 first, vec4 second) { return vec4(" +
                       function + "(first.xyz, second.xyz), 0.0); }\n");
     bindings::set(probe.stateSet(), bindings::NORMAL_EYE_FROM_SURFACE, toOsgFloat(glm::dmat3(1.0)));
-    bindings::set(probe.stateSet(), bindings::SIDE, side);
+    bindings::set(probe.stateSet(), bindings::EYE_SIDE, side);
     return probe.run(first, second);
 }
 

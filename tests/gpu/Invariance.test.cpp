@@ -140,9 +140,9 @@ TEST_CASE("at three times the resolution the same places are reflected, away fro
     for (const CaptureKind kind : KINDS)
     {
         set(*water, kind, nullptr);
-        ReflectionSettings settings = water->getReflection();
+        ViewSettings settings = water->getViewSettings();
         settings.guardBand = GuardBandKind::NONE;
-        REQUIRE(water->setReflection(settings));
+        REQUIRE(water->setViewSettings(settings));
         water->setDebugView(DebugView::HIT);
         // Every third pixel of the finer picture has its centre where the coarser one has one.
         const int width = 161;

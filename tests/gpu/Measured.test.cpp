@@ -204,7 +204,7 @@ TEST_CASE("the place that a water pixel shows is put out, and what it cost")
     CHECK(mostFetches <= WIDTH + 9);
 }
 
-// Falls when waterProgram() does not ask for replacements, or keeps the replaced program.
+// Falls when KeptProgram does not ask for replacements, or keeps the replaced program.
 TEST_CASE("water takes up a replaced shader piece, and gives it up")
 {
     MeasuredView view;

@@ -203,13 +203,16 @@ TEST_CASE("undersides of what hangs over the water are seen in the mirrored capt
 // Breaks where ViewRecord takes one mirrored capture for all planes, or one for each sheet.
 TEST_CASE("each plane of water has one mirrored capture, which all of its sheets share", "[mirror]")
 {
+    double now = 0.0;
     HarbourView view;
+    view.record().clock = [&now] { return now; };
     const osg::ref_ptr<osg::Group> root =
         scenes::together({scenes::createHarbour(), createPond(osg::Vec3(-5, 0, 0), 8.0)});
     view.render(root);
     CHECK(view.captured->images.size() == 1);
     CHECK(view.numMirrored() == 1);
-    CHECK(view.captured->stages == 6); // the capture, its straight windowZ and four of its pyramid
+    CHECK(view.captured->stages ==
+          7); // the capture, its straight windowZ, its sky and four of its cells
 
     root->addChild(createPond(osg::Vec3(5, 0, 0), 8.0));
     osg::ref_ptr<osg::MatrixTransform> moved = new osg::MatrixTransform(
@@ -228,14 +231,17 @@ TEST_CASE("each plane of water has one mirrored capture, which all of its sheets
     CHECK(view.captured->images.size() == 3);
     CHECK(view.record().numCaptures() == 3);
 
-    // What is not used in a cull is let go in the next.
+    // What is not used is held for a while, and then let go.
     root->removeChild(high);
+    now += 0.9 * WaterView::HOLD_TIME;
     view.render(root);
+    CHECK(view.record().numCaptures() == 3);
+    now += 0.2 * WaterView::HOLD_TIME;
     view.render(root);
     CHECK(view.record().numCaptures() == 2);
     root->removeChildren(1, root->getNumChildren() - 1);
     root->addChild(createPond(osg::Vec3(0, 0, 0), 4.0, CaptureKind::VIEW));
-    view.render(root);
+    now += 1.1 * WaterView::HOLD_TIME;
     view.render(root);
     CHECK(view.record().numCaptures() == 1);
     CHECK(view.numMirrored() == 0);

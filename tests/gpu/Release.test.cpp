@@ -153,7 +153,7 @@ TEST_CASE("a viewer outlives its scenes, and holds none of their water")
     for (const osg::observer_ptr<WaterSurface>& water : waters)
         CHECK_FALSE(water.valid());
     CHECK(view.record().numCaptures() == 1);
-    CHECK(view.record().numPasses() == 1);
+    CHECK(view.record().numDraws() == 1);
 }
 
 // Breaks where a WaveMesh holds the sheet that it has divided.
@@ -168,11 +168,11 @@ TEST_CASE("water whose waves change holds no more than at first")
         view.render(scene);
     }
     CHECK(view.record().numCaptures() == 1);
-    CHECK(view.record().numPasses() == 1);
+    CHECK(view.record().numDraws() == 1);
 }
 
-// Breaks where TracePass::begin only empties its graph, whose branches hold the sheets' state; and
-// where it waits for the next water that is traced in a smaller image.
+// Breaks where LowResTrace::begin only empties its graph, whose branches hold the sheets' state;
+// and where it waits for the next water that is traced in a smaller image.
 TEST_CASE("water traced in a smaller image leaves nothing behind when it goes")
 {
     const double lastTraceScale = GENERATE(0.5, 1.0);
@@ -182,9 +182,9 @@ TEST_CASE("water traced in a smaller image leaves nothing behind when it goes")
     for (int i = 0; i < 3; ++i)
     {
         const osg::ref_ptr<WaterSurface> lake = scenes::createLake();
-        osgWaterReflect::ReflectionSettings settings = lake->getReflection();
+        osgWaterReflect::ViewSettings settings = lake->getViewSettings();
         settings.traceScale = i < 1 ? 0.5 : lastTraceScale;
-        REQUIRE(lake->setReflection(settings));
+        REQUIRE(lake->setViewSettings(settings));
         if (i == 0)
         {
             const osg::ref_ptr<osg::TextureCubeMap> own = createSky();
@@ -238,7 +238,7 @@ TEST_CASE("nothing piles up where waters and cameras that render to textures com
         if (lately.size() > 10) lately.erase(lately.begin(), lately.begin() + 2);
 
         mostCaptures = std::max(mostCaptures, view.record().numCaptures());
-        mostPasses = std::max(mostPasses, view.record().numPasses());
+        mostPasses = std::max(mostPasses, view.record().numDraws());
     }
     // The view, and the cameras of five frames and of one that the view's render stage has held;
     // for each camera a pass of the lake's, and in the view those of as many passing waters.
@@ -252,5 +252,5 @@ TEST_CASE("nothing piles up where waters and cameras that render to textures com
     for (const auto& water : waters)
         CHECK_FALSE(water.valid());
     CHECK(view.record().numCaptures() == 1);
-    CHECK(view.record().numPasses() == 1);
+    CHECK(view.record().numDraws() == 1);
 }

@@ -48,6 +48,11 @@ Tried tryAny(int settings)
         case 2:
             taken = waves->setWaves(anyWaves(any));
             break;
+        case 3:
+        case 4:
+        case 5:
+            taken = water->setViewSettings(anyViewSettings(any));
+            break;
         default:
             taken = water->setReflection(anyReflection(any));
             break;

@@ -193,14 +193,16 @@ TEST_CASE("a frame with light space perspective shadow maps is reflected with it
     shadowed->addChild(sunlit);
     const osg::ref_ptr<WaterSurface> lake = scenes::createLake();
     lake->setNodeMask(~0u & ~CASTS);
-    osgWaterReflect::ReflectionSettings asked; // automatic
+    osgWaterReflect::ReflectionSettings reflection; // automatic
+    osgWaterReflect::ViewSettings viewSettings;
     SECTION("asked for")
     {
-        asked.capture = CaptureKind::FRAME;
-        asked.guardBand = GuardBandKind::NONE;
+        reflection.capture = CaptureKind::FRAME;
+        viewSettings.guardBand = GuardBandKind::NONE;
     }
     SECTION("by itself") {}
-    REQUIRE(lake->setReflection(asked));
+    REQUIRE(lake->setReflection(reflection));
+    REQUIRE(lake->setViewSettings(viewSettings));
     const osg::ref_ptr<osg::Image> withStandIn =
         copyOf(view.render(scenes::together({sunlit, scenes::createStandIn()})));
     const osg::ref_ptr<osg::Group> root = scenes::together({shadowed});

@@ -107,7 +107,7 @@ osg::ref_ptr<osg::Node> createDome(const osg::Vec3d& centre)
 
 } // namespace
 
-// Breaks where skyColour (shaders/sky.glsl) looks dirEye up.
+// Breaks where skyColour (sky.glsl) looks dirEye up.
 TEST_CASE("the sky's cube map is looked up with the reflected direction in world space")
 {
     SkyView view;
@@ -162,6 +162,71 @@ TEST_CASE("without a cube map the dome that the scene draws without depth is the
             ++checked;
         }
     CHECK(checked > 8000);
+}
+
+// Breaks where the sky is looked for along the image's columns whichever way the camera is rolled,
+// or where SkyImage is not told the way up.
+TEST_CASE("behind things the sky above them is seen, however the camera is rolled")
+{
+    // A wall along the water's far side hides where most rays are last seen; above it the dome is
+    // in sight, in each picture.
+    const double roll = osg::DegreesToRadians(GENERATE(0.0, 45.0, 90.0, 135.0, 180.0, 270.0));
+    SkyView view;
+    const osg::Vec3d eye(0, -10, 3);
+    const osg::Vec3d centre(0, 10, 2.5);
+    view.camera().setViewMatrixAsLookAt(eye, centre,
+                                        osg::Vec3d(std::sin(roll), 0.0, std::cos(roll)));
+    view.camera().setProjectionMatrixAsPerspective(60.0, 160.0 / 120.0, 0.1, 1000.0);
+    const osg::Vec4 clear(10, 10, 10, 1); // as nothing in the scene is
+    view.camera().setClearColor(clear);
+    const osg::ref_ptr<WaterSurface> lake = createMirror();
+    const osg::ref_ptr<osg::Node> wall =
+        scenes::createBox(osg::Vec3(0, 40, 4), osg::Vec3(400, 1, 8), RED);
+    const osg::Image& picture =
+        view.render(scenes::together({createDome(eye), wall, scenes::withoutBand(lake)}));
+    int sky = 0;
+    int blank = 0;
+    for (int y = 0; y < 120; ++y)
+        for (int x = 0; x < 160; ++x)
+        {
+            const osg::Vec4 colour = pixel(picture, x, y);
+            blank += (colour - clear).length() < 1.0f;
+            sky += (colour - RED).length() > 0.1f;
+        }
+    INFO("rolled by " << osg::RadiansToDegrees(roll));
+    CHECK(sky > 3000);
+    CHECK(blank == 0);
+}
+
+// Breaks where skyColour walks along the image, as it once did, or where it is asked for hits.
+TEST_CASE("the sky that the scene draws costs two fetches at most, and hits none")
+{
+    SkyView view;
+    view.look(osg::Vec3d(0, -10, 3), osg::Vec3d(0, 10, 1));
+    const osg::ref_ptr<WaterSurface> lake = createMirror();
+    const osg::ref_ptr<osg::Group> scene =
+        scenes::together({scenes::createBox(osg::Vec3(0, 40, 20), osg::Vec3(120, 1, 60), RED),
+                          scenes::createBox(osg::Vec3(-3, 5, 1), osg::Vec3(2, 2, 4), WHITE), lake});
+    lake->setDebugView(WaterSurface::DebugView::HIT);
+    const osg::ref_ptr<osg::Image> drawn = copyOf(view.render(scene));
+    lake->setSky(createSky());
+    const osg::Image& mapped = view.render(scene);
+    int hits = 0;
+    int others = 0;
+    for (int y = 0; y < 120; ++y)
+        for (int x = 0; x < 160; ++x)
+        {
+            const osg::Vec4 with = pixel(*drawn, x, y);
+            const osg::Vec4 without = pixel(mapped, x, y);
+            if (without.a() < 1.0f || without.a() != std::floor(without.a())) continue; // no water
+            const bool hit = without.b() == 0.0f;
+            const float more = with.a() - without.a();
+            REQUIRE(more >= 0.0f);
+            REQUIRE(more <= (hit ? 0.0f : 2.0f));
+            ++(hit ? hits : others);
+        }
+    CHECK(hits > 1000);
+    CHECK(others > 500);
 }
 
 // Breaks where skyColour returns black in place of clearColour.

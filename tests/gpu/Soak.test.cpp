@@ -177,16 +177,19 @@ private:
         settings.capture =
             _chance.oneOf({CaptureKind::VIEW, CaptureKind::FRAME, CaptureKind::MIRROR,
                            CaptureKind::VIEW_AND_MIRROR, CaptureKind::AUTOMATIC});
-        settings.guardBand =
-            _chance.oneOf({GuardBandKind::NONE, GuardBandKind::ADAPTIVE, GuardBandKind::FIXED});
-        settings.maxExtraPixels = _chance.between(0.0, 3.0);
-        settings.guardBandShare = _chance.between(0.0, 1.0);
         settings.thickness = _chance.logBetween(1e-6, 1e6);
         settings.stride = _chance.integer(1, 64);
-        settings.captureScale = _chance.once(2) ? 1.0 : _chance.logBetween(1e-3, 1.0);
-        settings.traceScale = _chance.once(2) ? 1.0 : _chance.logBetween(1e-3, 1.0);
-        settings.frameTimeTarget = _chance.once(4) ? _chance.logBetween(1e-3, 1e3) : 0.0;
         REQUIRE(water.setReflection(settings));
+
+        ViewSettings viewSettings;
+        viewSettings.guardBand =
+            _chance.oneOf({GuardBandKind::NONE, GuardBandKind::ADAPTIVE, GuardBandKind::FIXED});
+        viewSettings.maxExtraPixels = _chance.between(0.0, 3.0);
+        viewSettings.guardBandShare = _chance.between(0.0, 1.0);
+        viewSettings.captureScale = _chance.once(2) ? 1.0 : _chance.logBetween(1e-3, 1.0);
+        viewSettings.traceScale = _chance.once(2) ? 1.0 : _chance.logBetween(1e-3, 1.0);
+        viewSettings.frameTimeTarget = _chance.once(4) ? _chance.logBetween(1e-3, 1e3) : 0.0;
+        REQUIRE(water.setViewSettings(viewSettings));
 
         WaterOptics optics;
         optics.refractiveIndex = _chance.oneOf({1.0, 1.333, 4.0});
@@ -246,27 +249,32 @@ double heldAtRest(OffscreenView& view)
     return heldMemory();
 }
 
-void abuseFor(OffscreenView& view, int round, int frames)
+//   now  [s] of the view's clock
+void abuseFor(OffscreenView& view, int round, int frames, double& now)
 {
     Abuse abuse(round);
     for (int i = 0; i < frames; ++i)
     {
+        now += 1.0 / 60.0;
         abuse.step(view);
         INFO("round " << round << ", frame " << i << ", " << view.width() << " x "
                       << view.height());
         CHECK(countNotFinite(view.render(abuse.scene(), abuse.time())) == 0);
-        CHECK(view.record().numPasses() <= Abuse::WATERS);
+        CHECK(view.record().numDraws() <= Abuse::WATERS);
     }
 }
 
 // In rounds, each with waters of its own, from one to the next of which nothing is kept.
 void soak(int rounds, int framesEach)
 {
+    double now = 0.0;
     OffscreenView view(48, 36, OffscreenView::Format::RGBA32F);
+    view.record().clock = [&now] { return now; };
     std::vector<double> held;
     for (int round = 1; round <= rounds; ++round)
     {
-        abuseFor(view, round, framesEach);
+        abuseFor(view, round, framesEach, now);
+        now += 2.0 * osgWaterReflect::WaterView::HOLD_TIME;
         held.push_back(heldAtRest(view));
     }
     const auto half = held.begin() + rounds / 2;
@@ -280,7 +288,7 @@ void soak(int rounds, int framesEach)
 } // namespace
 
 // Falls where colourAmidEdges divides by a sum of weights that is 0; where a WaveMesh holds its
-// sheet; and where TracePass::begin does not reset its graph.
+// sheet; and where LowResTrace::begin does not reset its graph.
 TEST_CASE("frames under abuse hold no NaN, raise no GL error and keep no memory")
 {
     soak(10, 100);

@@ -93,13 +93,17 @@ private:
         ReflectionSettings settings;
         settings.search = frame % 2 ? Search::HIERARCHICAL : Search::SEQUENTIAL;
         settings.capture = kinds[frame % 5];
-        settings.traceScale = frame % 3 ? 1.0 : 0.5;
         settings.thickness = 0.3 + 0.1 * (frame % 4);
-        settings.frameTimeTarget = 1e9; // [ms] never missed: nothing depends on the time
         REQUIRE(_lake->setReflection(settings));
         settings.capture = kinds[(frame + 2) % 5];
-        settings.guardBand = frame % 2 ? GuardBandKind::FIXED : GuardBandKind::ADAPTIVE;
         REQUIRE(_pond->setReflection(settings));
+
+        ViewSettings viewSettings;
+        viewSettings.traceScale = frame % 3 ? 1.0 : 0.5;
+        viewSettings.frameTimeTarget = 1e9; // [ms] never missed: nothing depends on the time
+        REQUIRE(_lake->setViewSettings(viewSettings));
+        viewSettings.guardBand = frame % 2 ? GuardBandKind::FIXED : GuardBandKind::ADAPTIVE;
+        REQUIRE(_pond->setViewSettings(viewSettings));
     }
 
     osg::ref_ptr<osg::MatrixTransform> _boat;

@@ -8,7 +8,7 @@
 #include "support/Scenes.h"
 
 #include <osgWaterReflect/TrochoidalWaves>
-#include <osgWaterReflect/trace/TracePass.h>
+#include <osgWaterReflect/water/LowResTrace.h>
 
 #include <osgUtil/RenderStage>
 #include <osgViewer/Renderer>
@@ -16,9 +16,10 @@
 #include <cmath>
 
 using osgWaterReflect::CaptureKind;
+using osgWaterReflect::LowResTrace;
 using osgWaterReflect::ReflectionSettings;
-using osgWaterReflect::TracePass;
 using osgWaterReflect::TrochoidalWaves;
+using osgWaterReflect::ViewSettings;
 using osgWaterReflect::WaterSurface;
 
 namespace
@@ -28,9 +29,9 @@ const osg::Vec4 SKY(0.1, 0.9, 0.3, 1);
 
 void setScale(WaterSurface& water, double traceScale)
 {
-    ReflectionSettings settings = water.getReflection();
+    ViewSettings settings = water.getViewSettings();
     settings.traceScale = traceScale;
-    REQUIRE(water.setReflection(settings));
+    REQUIRE(water.setViewSettings(settings));
 }
 
 void setCapture(WaterSurface& water, CaptureKind capture)
@@ -65,7 +66,7 @@ struct HarbourView : OffscreenView
         for (const auto& before : renderer->getSceneView(0)->getRenderStage()->getPreRenderList())
         {
             osg::Camera& of = *before.second->getCamera();
-            if (of.getName() != TracePass::CAMERA_NAME) continue;
+            if (of.getName() != LowResTrace::CAMERA_NAME) continue;
             CHECK(texture == nullptr);
             auto& attached = of.getBufferAttachmentMap()[osg::Camera::COLOR_BUFFER0];
             texture = dynamic_cast<osg::Texture2D*>(attached._texture.get());
@@ -96,8 +97,8 @@ double difference(const osg::Image& a, const osg::Image& b)
 
 // Half the side has 99.8 % and 0.30 %, a quarter 99.7 % and 0.44 %.
 // What is lost lies at silhouettes: beside one, a ray that passes is met where a neighbour was.
-// Breaks with: foundFromWindow's half texel left out, or a hit taken wherever a small pixel has
-// one, unchecked (found.glsl).
+// Breaks with: tracedFromWindow's half texel left out, or a hit taken wherever a small pixel has
+// one, unchecked (trace_upsample.glsl).
 TEST_CASE("calm water traced at a fraction shows most of what the mirrored eye sees")
 {
     const double pitch = osg::DegreesToRadians(8.6);
@@ -126,7 +127,7 @@ TEST_CASE("calm water traced at a fraction shows most of what the mirrored eye s
         }
 }
 
-// Breaks with: foundFromWindow's half texel left out (found.glsl).
+// Breaks with: tracedFromWindow's half texel left out (trace_upsample.glsl).
 TEST_CASE("away from edges the picture of a fraction is that of the full trace")
 {
     HarbourView view;
@@ -232,7 +233,7 @@ TEST_CASE("slivers of water and water behind things have no holes")
 }
 
 // Breaks with: the viewport's offset left out of foundFromWindow, or the size not followed
-// (TracePass::resize).
+// (LowResTrace::resize).
 TEST_CASE("views of any size, and moved in the window, show nearly what the full trace shows")
 {
     HarbourView view(321, 239);
@@ -255,7 +256,7 @@ TEST_CASE("views of any size, and moved in the window, show nearly what the full
     }
 }
 
-// Breaks where ViewRecord keeps one TracePass for all cameras.
+// Breaks where ViewRecord keeps one LowResTrace for all cameras.
 TEST_CASE("a second, smaller view takes nothing from the first")
 {
     HarbourView first;
@@ -271,7 +272,7 @@ TEST_CASE("a second, smaller view takes nothing from the first")
     CHECK(second.found() != first.found());
 }
 
-// Breaks where the pass does not begin anew in each frame (TracePass::draw).
+// Breaks where the pass does not begin anew in each frame (LowResTrace::draw).
 TEST_CASE("a scale of 1 has no image of its own, before and after another scale")
 {
     HarbourView view;
@@ -301,7 +302,7 @@ TEST_CASE("released water keeps no image of traces, and draws the same again")
     CHECK(countDifferent(*view.show(0.5), *before) == 0);
 }
 
-// Breaks with: the image sized by the last water (TracePass::draw).
+// Breaks with: the image sized by the last water (LowResTrace::draw).
 TEST_CASE("several waters share the image, and the largest scale below 1 sizes it")
 {
     HarbourView view;
@@ -324,7 +325,7 @@ TEST_CASE("several waters share the image, and the largest scale below 1 sizes i
 
 // Lakes at two levels have a mirrored eye each. The upper is met last, and what it captures is not
 // there yet where the lower has begun the image of the traces.
-// Breaks with: the pass left where its first sheet has put it (TracePass::arrange).
+// Breaks with: the pass left where its first sheet has put it (LowResTrace::arrange).
 TEST_CASE("several mirrored eyes are all captured before a fraction is traced")
 {
     HarbourView view;
@@ -346,7 +347,7 @@ TEST_CASE("several mirrored eyes are all captured before a fraction is traced")
 }
 
 // The eye sees a red roof, and in the water its green underside, which only the mirrored eye shows.
-// Breaks with: MIRRORED left out of texelOf, or not told apart in foundAbout (found.glsl).
+// Breaks with: MIRRORED left out of texelOf, or not told apart in raysAbout (trace_upsample.glsl).
 TEST_CASE("a fraction says which of two captures shows a hit")
 {
     OffscreenView view(320, 240);
@@ -379,7 +380,7 @@ TEST_CASE("a fraction says which of two captures shows a hit")
 
 // Over a lake lies a higher pond, split by gaps a pixel wide. The pond's rays meet a board in the
 // air; those of the lake, 3 m lower, pass under it to the sky.
-// Breaks where all sheets have the same number (TracePass::draw).
+// Breaks where all sheets have the same number (LowResTrace::draw).
 TEST_CASE("water seen through gaps of other water meets nothing that only that other meets")
 {
     OffscreenView view(320, 240, OffscreenView::Format::RGBA32F);

@@ -49,26 +49,28 @@ ReflectionSettings anyReflection(AnyNumber& any)
     ReflectionSettings settings;
     settings.search = static_cast<Search>(any.integer(1, 4));
     settings.capture = static_cast<CaptureKind>(any.integer(1, 5));
+    settings.thickness = any();
+    if (any.once(2)) settings.stride = any.integer(-3, 70);
+    return settings;
+}
+
+ViewSettings anyViewSettings(AnyNumber& any)
+{
+    ViewSettings settings;
     settings.guardBand = static_cast<GuardBandKind>(any.integer(1, 3));
     for (int changes = any.integer(1, 2); changes > 0; --changes)
-        switch (any.integer(0, 6))
+        switch (any.integer(0, 4))
         {
         case 0:
-            settings.thickness = any();
-            break;
-        case 1:
-            settings.stride = any.integer(-3, 70);
-            break;
-        case 2:
             settings.captureScale = any();
             break;
-        case 3:
+        case 1:
             settings.maxExtraPixels = any();
             break;
-        case 4:
+        case 2:
             settings.guardBandShare = any();
             break;
-        case 5:
+        case 3:
             settings.traceScale = any();
             break;
         default:

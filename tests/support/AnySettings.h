@@ -23,6 +23,7 @@ private:
 
 /// One or two members of any value, about half of them out of range; kinds of any.
 osgWaterReflect::ReflectionSettings anyReflection(AnyNumber& any);
+osgWaterReflect::ViewSettings anyViewSettings(AnyNumber& any);
 osgWaterReflect::WaterOptics anyOptics(AnyNumber& any);
 osgWaterReflect::SurfaceDetail anyDetail(AnyNumber& any);
 

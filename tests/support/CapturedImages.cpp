@@ -2,7 +2,7 @@
 
 #include "Catch.h"
 
-#include <osgWaterReflect/capture/Capture.h>
+#include <osgWaterReflect/capture/MirroredCapture.h>
 
 #include <osgUtil/RenderStage>
 #include <osgViewer/Renderer>
@@ -10,6 +10,7 @@
 #include <cstring>
 
 using osgWaterReflect::Capture;
+using osgWaterReflect::MirroredCapture;
 
 namespace
 {
@@ -22,7 +23,11 @@ osg::ref_ptr<osg::Image> read(osg::State& state, osg::Texture2D& texture, GLenum
     const GLenum imageFormat = format == GL_DEPTH_COMPONENT ? GL_LUMINANCE : format;
     image->allocateImage(texture.getTextureWidth(), texture.getTextureHeight(), 1, imageFormat,
                          type);
-    state.applyTextureAttribute(0, &texture);
+    // Not by applyTextureAttribute, which leaves the active unit alone where the texture is applied
+    // already.
+    state.setActiveTextureUnit(0);
+    texture.apply(state);
+    state.haveAppliedTextureAttribute(0, &texture);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glGetTexImage(GL_TEXTURE_2D, 0, format, type, image->data());
     return part ? lowerLeftPart(*image, part->width(), part->height()) : image;
@@ -63,7 +68,7 @@ void collect(const CapturedImages& to, osg::State& state, const osgUtil::RenderS
         to.textures.push_back(windowZ);
         for (const auto& after : before.getPostRenderList())
             if (after.second->getCamera()->getName() ==
-                std::string("osgWaterReflect ") + Capture::STRAIGHTEN)
+                std::string("osgWaterReflect ") + MirroredCapture::STRAIGHTEN)
                 to.textures.push_back(
                     attached(*after.second->getCamera(), osg::Camera::COLOR_BUFFER0));
     }

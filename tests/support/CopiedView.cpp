@@ -48,7 +48,9 @@ void CopyFrame::operator()(osg::Node* node, osg::NodeVisitor* visitor)
             std::max(least.y(), int(place->height()) + 2 * origin.y()), colourFormat);
     osg::RefMatrix& frame = *view.getProjectionMatrix();
     capture->frameProjection = &frame;
-    capture->copy->require(view, *capture->camera, *place, projection ? *projection : frame);
+    osgWaterReflect::CulledView culled;
+    culled.note(view);
+    capture->copy->arrange(culled, *capture->camera, *place, projection ? *projection : frame);
     arranged(*capture, view);
     traverse(node, visitor);
 }

@@ -30,8 +30,8 @@ SheetView dividedWater::viewFrom(const glm::dvec3& eye, const glm::dvec3& centre
     const glm::dvec3 along = glm::normalize(centre - eye);
     const glm::dvec3 up = std::abs(along.z) > 0.99 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
     view.eyeFromSurface = glm::lookAt(eye, centre, up);
-    view.amplitude = amplitude;
-    view.shortestEdge = waveLength / 8.0;
+    view.waves.amplitude = amplitude;
+    view.waves.shortestEdge = waveLength / 8.0;
     return view;
 }
 
@@ -122,7 +122,7 @@ void dividedWater::checkWatertight(const StillWater& water, const Mesh& mesh, co
                 {
                     bool beyond = true;
                     for (const glm::dvec2& place : {a, b})
-                        for (double height : {-view->amplitude, view->amplitude})
+                        for (double height : {-view->waves.amplitude, view->waves.amplitude})
                         {
                             const glm::dvec4 clip = view->clipFromEye * view->eyeFromSurface *
                                                     glm::dvec4(place, height, 1.0);

@@ -1,7 +1,7 @@
 #ifndef OSGWATERREFLECT_TESTS_SUPPORT_OFFSCREENVIEW_H
 #define OSGWATERREFLECT_TESTS_SUPPORT_OFFSCREENVIEW_H
 
-#include <osgWaterReflect/ViewRecord.h>
+#include <osgWaterReflect/view/ViewRecord.h>
 
 #include <osg/Camera>
 #include <osg/Image>

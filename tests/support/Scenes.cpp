@@ -74,9 +74,9 @@ osg::ref_ptr<WaterSurface> scenes::createLake(double level, double size)
 
 osg::ref_ptr<WaterSurface> scenes::withoutBand(const osg::ref_ptr<WaterSurface>& water)
 {
-    osgWaterReflect::ReflectionSettings settings = water->getReflection();
+    osgWaterReflect::ViewSettings settings = water->getViewSettings();
     settings.guardBand = osgWaterReflect::GuardBandKind::NONE;
-    water->setReflection(settings);
+    water->setViewSettings(settings);
     return water;
 }
 

@@ -11,11 +11,11 @@
 namespace
 {
 
-std::string assemble(const std::string& functions, const std::string& waves)
+std::string assemble(const std::string& functions, const osgWaterReflect::ShaderSlots& slots)
 {
     const char* const name = "probe.frag";
     const osgWaterReflect::ShaderReplacement piece(name, functions);
-    return osgWaterReflect::assembleShader(name, waves);
+    return osgWaterReflect::assembleShader(name, slots);
 }
 
 osg::ref_ptr<osg::Texture2D> floatTexture(int side, const std::vector<osg::Vec4>& values,
@@ -37,7 +37,7 @@ osg::ref_ptr<osg::Texture2D> floatTexture(int side, const std::vector<osg::Vec4>
 
 } // namespace
 
-ShaderProbe::ShaderProbe(const std::string& functions, const std::string& waves) :
+ShaderProbe::ShaderProbe(const std::string& functions, const osgWaterReflect::ShaderSlots& slots) :
     _view(SIDE, SIDE, OffscreenView::Format::RGBA32F), _scene(new osg::Group)
 {
     osg::ref_ptr<osg::Geometry> quad = osg::createTexturedQuadGeometry(
@@ -54,7 +54,7 @@ ShaderProbe::ShaderProbe(const std::string& functions, const std::string& waves)
                                                             "    gl_Position = gl_Vertex;\n"
                                                             "}\n"));
     program->addShader(new osg::Shader(
-        osg::Shader::FRAGMENT, "#version 130\n" + assemble(functions, waves) +
+        osg::Shader::FRAGMENT, "#version 130\n" + assemble(functions, slots) +
                                    "uniform sampler2D probeFirst;\n"
                                    "uniform sampler2D probeSecond;\n"
                                    "out vec4 probeAnswer;\n"

@@ -3,6 +3,8 @@
 
 #include "OffscreenView.h"
 
+#include <osgWaterReflect/shaders/ShaderSlots.h>
+
 #include <osg/Vec4>
 
 #include <string>
@@ -14,9 +16,9 @@ class ShaderProbe
 {
 public:
     /// functions: GLSL that defines `vec4 probe(vec4 first, vec4 second)`; it may include pieces
-    /// of shaders/. waves: the piece that `#include "waves"` stands for.
+    /// and slots of shaders/.
     explicit ShaderProbe(const std::string& functions,
-                         const std::string& waves = "waves_calm.glsl");
+                         const osgWaterReflect::ShaderSlots& slots = {});
 
     /// Uniforms of the pieces are set here.
     osg::StateSet& stateSet() { return *_stateSet; }

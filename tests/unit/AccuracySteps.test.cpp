@@ -3,30 +3,30 @@
 
 #include "support/Catch.h"
 
-#include <osgWaterReflect/choice/AccuracySteps.h>
+#include <osgWaterReflect/view/AccuracySteps.h>
 
 using namespace osgWaterReflect;
 
 namespace
 {
 
-ReflectionSettings most()
+WaterSettings most()
 {
-    ReflectionSettings settings;
+    WaterSettings settings;
     settings.capture = CaptureKind::VIEW_AND_MIRROR;
     settings.maxExtraPixels = 3.0;
     return settings;
 }
 
 // Pixels of a band over the view's, as far as the settings bound them.
-double bandOf(const ReflectionSettings& settings)
+double bandOf(const WaterSettings& settings)
 {
     if (settings.guardBand == GuardBandKind::NONE || settings.capture == CaptureKind::MIRROR)
         return 0.0;
     return settings.guardBand == GuardBandKind::FIXED ? 100.0 : settings.maxExtraPixels;
 }
 
-bool isNoDearer(const ReflectionSettings& step, const ReflectionSettings& before)
+bool isNoDearer(const WaterSettings& step, const WaterSettings& before)
 {
     const bool capture =
         step.capture == before.capture ||
@@ -43,9 +43,9 @@ bool isNoDearer(const ReflectionSettings& step, const ReflectionSettings& before
 
 TEST_CASE("accuracy is given up in a stated order")
 {
-    const std::vector<ReflectionSettings> steps = accuracySteps(most());
+    const std::vector<WaterSettings> steps = accuracySteps(most());
     REQUIRE(steps.size() == 7);
-    ReflectionSettings expected = most();
+    WaterSettings expected = most();
     CHECK(steps[0] == expected);
     expected.capture = CaptureKind::VIEW;
     CHECK(steps[1] == expected);
@@ -64,7 +64,7 @@ TEST_CASE("accuracy is given up in a stated order")
 
 TEST_CASE("each step of accuracy gives something up, and none asks for more, whatever was asked")
 {
-    ReflectionSettings asked;
+    WaterSettings asked;
     asked.search = Search::SEQUENTIAL;
     asked.thickness = 2.0;
     asked.stride = 3;
@@ -82,7 +82,7 @@ TEST_CASE("each step of accuracy gives something up, and none asks for more, wha
                         asked.maxExtraPixels = extra;
                         asked.captureScale = captureScale;
                         asked.traceScale = traceScale;
-                        const std::vector<ReflectionSettings> steps = accuracySteps(asked);
+                        const std::vector<WaterSettings> steps = accuracySteps(asked);
                         REQUIRE(steps.front() == asked);
                         for (std::size_t i = 1; i < steps.size(); ++i)
                         {
@@ -99,10 +99,10 @@ TEST_CASE("each step of accuracy gives something up, and none asks for more, wha
 // Falls when bands are asked for with a mirrored capture alone.
 TEST_CASE("a mirrored capture alone has no band to give up, and leaves its place to a copy late")
 {
-    ReflectionSettings asked;
+    WaterSettings asked;
     asked.capture = CaptureKind::MIRROR;
     asked.guardBand = GuardBandKind::NONE;
-    const std::vector<ReflectionSettings> steps = accuracySteps(asked);
+    const std::vector<WaterSettings> steps = accuracySteps(asked);
     REQUIRE(steps.size() ==
             5); // half the trace, half the capture, the copy, a quarter of the trace
     CHECK(steps[2].capture == CaptureKind::MIRROR);
@@ -112,7 +112,7 @@ TEST_CASE("a mirrored capture alone has no band to give up, and leaves its place
 
 TEST_CASE("where nothing can be given up there is one step of accuracy")
 {
-    ReflectionSettings asked;
+    WaterSettings asked;
     asked.capture = CaptureKind::FRAME;
     asked.guardBand = GuardBandKind::NONE;
     asked.captureScale = 0.5;

@@ -2,7 +2,7 @@
 
 #include "support/Catch.h"
 
-#include <osgWaterReflect/choice/AutomaticChoice.h>
+#include <osgWaterReflect/view/AutomaticChoice.h>
 
 using namespace osgWaterReflect;
 
@@ -11,11 +11,11 @@ namespace
 
 CaptureKind captureFor(bool calm, int planes, bool bandServes)
 {
-    ViewFacts facts;
+    SceneFacts facts;
     facts.calm = calm;
     facts.planes = planes;
     facts.bandServes = bandServes;
-    return settle(ReflectionSettings(), facts).capture;
+    return settle(WaterSettings(), facts).capture;
 }
 
 } // namespace
@@ -31,12 +31,12 @@ TEST_CASE("what is automatic is settled by calm, planes and band")
     }
     CHECK(captureFor(false, 1, true) == CaptureKind::VIEW);
     CHECK(captureFor(false, 1, false) == CaptureKind::VIEW_AND_MIRROR);
-    CHECK(settle(ReflectionSettings(), ViewFacts()).search == Search::HIERARCHICAL);
+    CHECK(settle(WaterSettings(), SceneFacts()).search == Search::HIERARCHICAL);
 }
 
 TEST_CASE("a scene that would be drawn with other shadows is copied from its frame, calm or not")
 {
-    ViewFacts facts;
+    SceneFacts facts;
     facts.redrawsAlike = false;
     for (const bool calm : {false, true})
         for (const int planes : {1, 2})
@@ -45,7 +45,7 @@ TEST_CASE("a scene that would be drawn with other shadows is copied from its fra
                 facts.calm = calm;
                 facts.planes = planes;
                 facts.bandServes = bandServes;
-                const ReflectionSettings settled = settle(ReflectionSettings(), facts);
+                const WaterSettings settled = settle(WaterSettings(), facts);
                 CHECK(settled.capture == CaptureKind::FRAME);
                 CHECK(settled.guardBand == GuardBandKind::NONE);
             }
@@ -53,7 +53,7 @@ TEST_CASE("a scene that would be drawn with other shadows is copied from its fra
 
 TEST_CASE("what was asked for is left alone, whatever is in view")
 {
-    ReflectionSettings asked;
+    WaterSettings asked;
     asked.thickness = 0.125;
     asked.captureScale = 0.75;
     asked.guardBand = GuardBandKind::FIXED;
@@ -68,7 +68,7 @@ TEST_CASE("what was asked for is left alone, whatever is in view")
                         {
                             asked.search = search;
                             asked.capture = capture;
-                            ViewFacts facts;
+                            SceneFacts facts;
                             facts.calm = calm;
                             facts.planes = planes;
                             facts.bandServes = bandServes;
@@ -76,7 +76,7 @@ TEST_CASE("what was asked for is left alone, whatever is in view")
                             REQUIRE(settle(asked, facts) == asked);
                         }
     asked.capture = CaptureKind::AUTOMATIC;
-    ReflectionSettings expected = asked;
+    WaterSettings expected = asked;
     expected.capture = CaptureKind::MIRROR;
-    CHECK(settle(asked, ViewFacts()) == expected);
+    CHECK(settle(asked, SceneFacts()) == expected);
 }

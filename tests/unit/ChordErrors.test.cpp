@@ -26,7 +26,7 @@ public:
     double getAmplitude() const override { return 1.0; }
     double getMaxSlope() const override { return 1.0; }
     double getShortestLength() const override { return 1.0; }
-    std::string getShaderName() const override { return "waves_calm.glsl"; }
+    const ShaderPiece* getShaderPiece() const override { return nullptr; }
     void apply(osg::StateSet&, const osg::Vec2d&, double) const override {}
 
 protected:

@@ -3,7 +3,7 @@
 
 #include "support/Catch.h"
 
-#include <osgWaterReflect/choice/FrameTimeControl.h>
+#include <osgWaterReflect/view/FrameTimeControl.h>
 
 #include <algorithm>
 #include <cmath>

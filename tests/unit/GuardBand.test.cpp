@@ -2,7 +2,7 @@
 
 #include "support/Catch.h"
 
-#include <osgWaterReflect/capture/GuardBand.h>
+#include <osgWaterReflect/band/GuardBand.h>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -138,11 +138,8 @@ TEST_CASE("a box around the eye is seen everywhere, one behind it and an invalid
 TEST_CASE("a band has the pixels that are asked for, and none for a rounding error")
 {
     const glm::ivec2 size(640, 480);
-    bool cut = true;
-    CHECK(equal(bandFor(NdcExtent{}, size, 1.0, &cut), GuardBand{}));
-    CHECK_FALSE(cut);
-    CHECK(equal(bandFor(NdcExtent{}, size, 0.0, &cut), GuardBand{}));
-    CHECK_FALSE(cut);
+    CHECK(equal(bandFor(NdcExtent{}, size, 1.0), GuardBand{}));
+    CHECK(equal(bandFor(NdcExtent{}, size, 0.0), GuardBand{}));
     CHECK(equal(bandFor(NdcExtent::none(), size, 1.0), GuardBand{}));
     CHECK(equal(bandFor({-0.5, 0.5, -0.5, 0.5}, size, 1.0), GuardBand{}));
     const double tiny = 1.0 + 1e-12;
@@ -150,8 +147,11 @@ TEST_CASE("a band has the pixels that are asked for, and none for a rounding err
 
     const auto ndc = [](double pixels, int across) { return 1.0 + 2.0 * pixels / across; };
     const NdcExtent needed = {-ndc(3.0, 640), ndc(3.1, 640), -ndc(0.5, 480), ndc(100.0, 480)};
-    CHECK(equal(bandFor(needed, size, 1.0, &cut), {3, 4, 1, 100}));
-    CHECK_FALSE(cut);
+    CHECK(equal(bandFor(needed, size, 1.0), {3, 4, 1, 100}));
+    CHECK(reaches({3, 4, 1, 100}, needed, size));
+    for (const GuardBand& less :
+         {GuardBand{2, 4, 1, 100}, {3, 3, 1, 100}, {3, 4, 0, 100}, {3, 4, 1, 99}})
+        CHECK_FALSE(reaches(less, needed, size));
 }
 
 // Falls when cutFactor() leaves out the corners (a = 0), or bandFor() rounds up after it.
@@ -169,8 +169,8 @@ TEST_CASE("a band keeps to its ceiling, with one factor for all sides")
         if (i % 5 == 0) needed.left = -1.0;
         if (i % 7 == 0) needed.top = INF;
         if (i % 11 == 0) needed = {-INF, INF, -INF, INF};
-        bool cut = false;
-        const GuardBand band = bandFor(needed, size, extra, &cut);
+        const GuardBand band = bandFor(needed, size, extra);
+        const bool cut = !reaches(band, needed, size);
         const GuardBand whole = bandFor(needed, size, 1e300);
         const double limit = (1.0 + extra) * pixelCount(size);
         INFO(size.x << " x " << size.y << ", extra " << extra);

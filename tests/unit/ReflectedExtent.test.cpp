@@ -2,7 +2,7 @@
 
 #include "support/Catch.h"
 
-#include <osgWaterReflect/capture/ReflectedExtent.h>
+#include <osgWaterReflect/band/ReflectedExtent.h>
 #include <osgWaterReflect/surface/ConvexHull.h>
 
 #include <glm/geometric.hpp>
@@ -42,9 +42,9 @@ struct Frame
 
 NdcExtent extentOf(const Frame& frame)
 {
-    return reflectedExtent(
-        {convexHull(frame.outline), frame.eyeFromSurface, frame.amplitude, frame.slope, frame.side},
-        frame.clipFromEye);
+    const std::vector<glm::dvec2> hull = convexHull(frame.outline);
+    return reflectedExtent({&hull, frame.eyeFromSurface, frame.amplitude, frame.slope, frame.side},
+                           frame.clipFromEye);
 }
 
 // An eye at (0, 0, height) over the surface that looks along y, pitched down and rolled.
@@ -474,8 +474,9 @@ TEST_CASE("how long an extent takes", "[.timing]")
     for (int i = 0; i < 2000; ++i)
     {
         const Frame frame = frames.next();
-        const ReflectingSheet sheet = {convexHull(frame.outline), frame.eyeFromSurface,
-                                       frame.amplitude, std::max(0.05, frame.slope), frame.side};
+        const std::vector<glm::dvec2> hull = convexHull(frame.outline);
+        const ReflectingSheet sheet = {&hull, frame.eyeFromSurface, frame.amplitude,
+                                       std::max(0.05, frame.slope), frame.side};
         const auto start = std::chrono::steady_clock::now();
         const NdcExtent extent = reflectedExtent(sheet, frame.clipFromEye);
         const std::chrono::duration<double, std::micro> taken =

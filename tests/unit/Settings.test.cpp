@@ -58,6 +58,9 @@ void checkMember(const std::string& name, Member Options::*member, const std::ve
 const auto setReflection = [](WaterSurface& water, const ReflectionSettings& options)
 { return water.setReflection(options); };
 const auto getReflection = [](const WaterSurface& water) { return water.getReflection(); };
+const auto setViewSettings = [](WaterSurface& water, const ViewSettings& options)
+{ return water.setViewSettings(options); };
+const auto getViewSettings = [](const WaterSurface& water) { return water.getViewSettings(); };
 const auto setOptics = [](WaterSurface& water, const WaterOptics& options)
 { return water.setOptics(options); };
 const auto getOptics = [](const WaterSurface& water) { return water.getOptics(); };
@@ -87,27 +90,31 @@ TEST_CASE("reflection settings out of range are refused, by name, and the old on
         "ReflectionSettings::stride", &ReflectionSettings::stride,
         {0, -1, 65, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()}, {1, 64},
         setReflection, getReflection);
-    checkMember<ReflectionSettings, double>(
-        "ReflectionSettings::captureScale", &ReflectionSettings::captureScale,
-        {0.0, -1.0, 1.0000001, NaN, INF, -INF}, {TINY, 0.5, 1.0}, setReflection, getReflection);
-    checkMember<ReflectionSettings, GuardBandKind>(
-        "ReflectionSettings::guardBand", &ReflectionSettings::guardBand,
+}
+
+TEST_CASE("view settings out of range are refused, by name, and the old ones stay")
+{
+    checkMember<ViewSettings, double>("ViewSettings::captureScale", &ViewSettings::captureScale,
+                                      {0.0, -1.0, 1.0000001, NaN, INF, -INF}, {TINY, 0.5, 1.0},
+                                      setViewSettings, getViewSettings);
+    checkMember<ViewSettings, GuardBandKind>(
+        "ViewSettings::guardBand", &ViewSettings::guardBand,
         {static_cast<GuardBandKind>(0), static_cast<GuardBandKind>(4),
          static_cast<GuardBandKind>(-1)},
-        {GuardBandKind::NONE, GuardBandKind::FIXED, GuardBandKind::ADAPTIVE}, setReflection,
-        getReflection);
-    checkMember<ReflectionSettings, double>(
-        "ReflectionSettings::maxExtraPixels", &ReflectionSettings::maxExtraPixels,
-        {-TINY, -1.0, 3.0001, NaN, INF, -INF}, {0.0, TINY, 3.0}, setReflection, getReflection);
-    checkMember<ReflectionSettings, double>(
-        "ReflectionSettings::guardBandShare", &ReflectionSettings::guardBandShare,
-        {-TINY, -1.0, 1.0001, NaN, INF, -INF}, {0.0, TINY, 1.0}, setReflection, getReflection);
-    checkMember<ReflectionSettings, double>(
-        "ReflectionSettings::traceScale", &ReflectionSettings::traceScale,
-        {0.0, -1.0, 1.0000001, NaN, INF, -INF}, {TINY, 0.5, 1.0}, setReflection, getReflection);
-    checkMember<ReflectionSettings, double>(
-        "ReflectionSettings::frameTimeTarget", &ReflectionSettings::frameTimeTarget,
-        {-TINY, -1.0, NaN, INF, -INF}, {0.0, TINY, 16.7, 1e9}, setReflection, getReflection);
+        {GuardBandKind::NONE, GuardBandKind::FIXED, GuardBandKind::ADAPTIVE}, setViewSettings,
+        getViewSettings);
+    checkMember<ViewSettings, double>("ViewSettings::maxExtraPixels", &ViewSettings::maxExtraPixels,
+                                      {-TINY, -1.0, 3.0001, NaN, INF, -INF}, {0.0, TINY, 3.0},
+                                      setViewSettings, getViewSettings);
+    checkMember<ViewSettings, double>("ViewSettings::guardBandShare", &ViewSettings::guardBandShare,
+                                      {-TINY, -1.0, 1.0001, NaN, INF, -INF}, {0.0, TINY, 1.0},
+                                      setViewSettings, getViewSettings);
+    checkMember<ViewSettings, double>("ViewSettings::traceScale", &ViewSettings::traceScale,
+                                      {0.0, -1.0, 1.0000001, NaN, INF, -INF}, {TINY, 0.5, 1.0},
+                                      setViewSettings, getViewSettings);
+    checkMember<ViewSettings, double>("ViewSettings::frameTimeTarget",
+                                      &ViewSettings::frameTimeTarget, {-TINY, -1.0, NaN, INF, -INF},
+                                      {0.0, TINY, 16.7, 1e9}, setViewSettings, getViewSettings);
 }
 
 TEST_CASE("optics out of range are refused, by name, and the old ones stay")
@@ -151,13 +158,15 @@ TEST_CASE("a copy of a water surface has every option of the original")
     reflection.capture = CaptureKind::MIRROR;
     reflection.thickness = 0.25;
     reflection.stride = 3;
-    reflection.captureScale = 0.75;
-    reflection.guardBand = GuardBandKind::FIXED;
-    reflection.maxExtraPixels = 0.5;
-    reflection.guardBandShare = 0.125;
-    reflection.traceScale = 0.5;
-    reflection.frameTimeTarget = 16.0;
     REQUIRE(water->setReflection(reflection));
+    ViewSettings viewSettings;
+    viewSettings.captureScale = 0.75;
+    viewSettings.guardBand = GuardBandKind::FIXED;
+    viewSettings.maxExtraPixels = 0.5;
+    viewSettings.guardBandShare = 0.125;
+    viewSettings.traceScale = 0.5;
+    viewSettings.frameTimeTarget = 16.0;
+    REQUIRE(water->setViewSettings(viewSettings));
     WaterOptics optics;
     optics.refractiveIndex = 1.4;
     optics.waterColour.set(0.1f, 0.2f, 0.3f);
@@ -188,6 +197,7 @@ TEST_CASE("a copy of a water surface has every option of the original")
     for (const WaterSurface* copy : {shallow.get(), deep.get()})
     {
         CHECK(copy->getReflection() == reflection);
+        CHECK(copy->getViewSettings() == viewSettings);
         CHECK(copy->getOptics() == optics);
         CHECK(copy->getDetail() == detail);
         CHECK(copy->getDebugView() == WaterSurface::DebugView::REASON);

@@ -85,8 +85,9 @@ double excess(const glm::dvec2& start, const glm::dvec2& end, const SheetView& v
     const double pixels = std::max(0.5 * view.viewportWidth * view.clipFromEye[0][0],
                                    0.5 * view.viewportHeight * view.clipFromEye[1][1]);
     const double shorter = length / coarsening;
-    const double error = std::sqrt(view.chordErrors.squaredAt(shorter * shorter));
-    return std::min({shorter / view.shortestEdge, shorter * pixels / depth / detail.maxEdgePixels,
+    const double error = std::sqrt(view.waves.chordErrors.squaredAt(shorter * shorter));
+    return std::min({shorter / view.waves.shortestEdge,
+                     shorter * pixels / depth / detail.maxEdgePixels,
                      error * pixels / nearest / detail.maxErrorPixels});
 }
 
@@ -131,9 +132,9 @@ double leastReason(const Mesh& mesh, const StillWater& water, const SheetView& v
 // A view with these waves.
 SheetView onWaves(SheetView view, const WaveModel& waves)
 {
-    view.amplitude = waves.getAmplitude();
-    view.shortestEdge = waves.getShortestLength() / 8.0;
-    view.chordErrors = ChordErrors(waves, view.shortestEdge);
+    view.waves.amplitude = waves.getAmplitude();
+    view.waves.shortestEdge = waves.getShortestLength() / 8.0;
+    view.waves.chordErrors = ChordErrors(waves, view.waves.shortestEdge);
     return view;
 }
 
@@ -206,7 +207,7 @@ TEST_CASE("every point of the water that is in view is in the mesh")
     int seen = 0;
     for (SheetView view : manyViews())
     {
-        view.amplitude = 3.0; // brings much into view that the still water would not
+        view.waves.amplitude = 3.0; // brings much into view that the still water would not
         const Mesh mesh = divide(*water, view);
         const auto covered = [](const std::vector<glm::dvec2>& places,
                                 const std::vector<unsigned int>& triangles, const glm::dvec2& p)
@@ -229,7 +230,7 @@ TEST_CASE("every point of the water that is in view is in the mesh")
             const glm::dvec2 p(anywhere(random), anywhere(random));
             if (!covered(water->corners(), water->triangles(), p)) continue;
             bool inView = false;
-            for (double height : {-view.amplitude, 0.0, view.amplitude})
+            for (double height : {-view.waves.amplitude, 0.0, view.waves.amplitude})
             {
                 const glm::dvec4 clip =
                     view.clipFromEye * view.eyeFromSurface * glm::dvec4(p, height, 1.0);
@@ -458,9 +459,9 @@ TEST_CASE("the mesh is divided anew when the view, the detail or the sheet chang
     changes("viewportWidth");
     view.viewportHeight = 200.0;
     changes("viewportHeight");
-    view.amplitude = 0.3;
+    view.waves.amplitude = 0.3;
     changes("amplitude");
-    view.shortestEdge = 0.3;
+    view.waves.shortestEdge = 0.3;
     changes("shortestEdge");
     for (int column = 0; column < 4; ++column)
         for (int row : {0, 1, 3})
@@ -475,7 +476,7 @@ TEST_CASE("the mesh is divided anew when the view, the detail or the sheet chang
     detail.maxErrorPixels = 0.7;
     changes("maxErrorPixels");
     const osg::ref_ptr<TrochoidalWaves> waves = TrochoidalWaves::createBreeze(4.0, 0.3);
-    view.chordErrors = ChordErrors(*waves, view.shortestEdge);
+    view.waves.chordErrors = ChordErrors(*waves, view.waves.shortestEdge);
     changes("chordErrors");
     // OpenSceneGraph fits the near and far planes anew in every frame.
     for (int column = 0; column < 4; ++column)

@@ -11,8 +11,8 @@
 
 using namespace osgwaterbench;
 using osgWaterReflect::CaptureKind;
-using osgWaterReflect::ReflectionSettings;
 using osgWaterReflect::Search;
+using osgWaterReflect::WaterSettings;
 
 namespace
 {
@@ -29,43 +29,43 @@ public:
     Method method() const { return libraryMethod(_name, _settings); }
     Method withThickness(double thickness) const
     {
-        ReflectionSettings settings = _settings;
+        WaterSettings settings = _settings;
         settings.thickness = thickness;
         return libraryMethod(_name + ", thickness " + fixed(thickness, 1), settings);
     }
     Method withCaptureScale(double scale) const
     {
-        ReflectionSettings settings = _settings;
+        WaterSettings settings = _settings;
         settings.captureScale = scale;
         return libraryMethod(_name + ", capture scale " + fixed(scale, 2), settings);
     }
     Method withCapture(const std::string& name, CaptureKind capture) const
     {
-        ReflectionSettings settings = _settings;
+        WaterSettings settings = _settings;
         settings.capture = capture;
         return libraryMethod(_name + ", " + name, settings);
     }
     Method withTraceScale(double scale) const
     {
-        ReflectionSettings settings = _settings;
+        WaterSettings settings = _settings;
         settings.traceScale = scale;
         return libraryMethod(_name + ", trace scale " + fixed(scale, 2), settings);
     }
     Method withStride(int stride) const
     {
-        ReflectionSettings settings = _settings;
+        WaterSettings settings = _settings;
         settings.stride = stride;
         return libraryMethod(_name + ", stride " + std::to_string(stride), settings);
     }
 
 private:
     std::string _name;
-    ReflectionSettings _settings;
+    WaterSettings _settings;
 };
 
 std::vector<Method> methods(bool quick)
 {
-    const Method automatic = libraryMethod("automatic", ReflectionSettings());
+    const Method automatic = libraryMethod("automatic", WaterSettings());
     const Settings hierarchical("hierarchical", Search::HIERARCHICAL);
     const Settings sequential("sequential", Search::SEQUENTIAL);
     const Settings binary("binary", Search::BINARY);

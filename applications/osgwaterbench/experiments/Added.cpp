@@ -14,7 +14,7 @@
 using namespace osgwaterbench;
 using osgWaterReflect::CaptureKind;
 using osgWaterReflect::GuardBandKind;
-using osgWaterReflect::ReflectionSettings;
+using osgWaterReflect::WaterSettings;
 
 namespace
 {
@@ -31,7 +31,7 @@ std::vector<Method> methods()
 {
     const auto library = [](const std::string& name, CaptureKind capture, GuardBandKind band)
     {
-        ReflectionSettings settings = searchOfView();
+        WaterSettings settings = searchOfView();
         settings.capture = capture;
         settings.guardBand = band;
         return libraryMethod(name, settings);

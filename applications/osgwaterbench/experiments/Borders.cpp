@@ -14,8 +14,8 @@
 using namespace osgwaterbench;
 using osgWaterReflect::CaptureKind;
 using osgWaterReflect::GuardBandKind;
-using osgWaterReflect::ReflectionSettings;
 using osgWaterReflect::Search;
+using osgWaterReflect::WaterSettings;
 
 namespace
 {
@@ -27,13 +27,13 @@ std::vector<Method> methods()
 {
     const auto settings = [](CaptureKind capture, GuardBandKind guardBand)
     {
-        ReflectionSettings settings = searchOfView();
+        WaterSettings settings = searchOfView();
         settings.capture = capture;
         settings.guardBand = guardBand;
         return settings;
     };
-    const ReflectionSettings plain = settings(CaptureKind::VIEW, GuardBandKind::NONE);
-    ReflectionSettings sequential = plain;
+    const WaterSettings plain = settings(CaptureKind::VIEW, GuardBandKind::NONE);
+    WaterSettings sequential = plain;
     sequential.search = Search::SEQUENTIAL;
     return {
         baselineMethod(),

@@ -154,10 +154,12 @@ Compared compare(const Case& tried, osg::Group& field, WaveModel* waves, int fra
     const CullPair::Waters waters = createFieldWaters(tried.layout.layout);
     ReflectionSettings settings;
     settings.capture = tried.capture.kind;
-    settings.guardBand = tried.capture.band;
+    osgWaterReflect::ViewSettings viewSettings;
+    viewSettings.guardBand = tried.capture.band;
     for (const auto& water : waters)
     {
         water->setReflection(settings);
+        water->setViewSettings(viewSettings);
         water->setWaves(waves);
     }
     CullPair pair(field, waters, SIZE);

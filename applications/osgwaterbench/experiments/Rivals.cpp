@@ -11,7 +11,7 @@
 #include <iostream>
 
 using namespace osgwaterbench;
-using osgWaterReflect::ReflectionSettings;
+using osgWaterReflect::WaterSettings;
 
 namespace
 {
@@ -94,7 +94,7 @@ bool osgwaterbench::runRivals(const ExperimentOptions& options)
             if (slope > 0.0 && !waves) return false;
 
             Measurement measurement(*scene, waves, options.size);
-            const Method own = libraryMethod("automatic", ReflectionSettings());
+            const Method own = libraryMethod("automatic", WaterSettings());
             const Method mirror = bestMirror(measurement);
             const std::vector<Method> rivals = {own, paperMethod(), paperBinaryMethod(), mirror,
                                                 skyOnlyMethod()};

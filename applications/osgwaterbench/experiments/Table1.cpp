@@ -48,7 +48,7 @@ std::vector<Method> searches()
                                        {"sequential", Search::SEQUENTIAL},
                                        {"binary", Search::BINARY}})
     {
-        osgWaterReflect::ReflectionSettings settings = searchOfView();
+        osgWaterReflect::WaterSettings settings = searchOfView();
         settings.search = search;
         methods.push_back(libraryMethod(name, settings));
     }

@@ -1,6 +1,6 @@
 #include "MethodScope.h"
 
-#include <osgWaterReflect/trace/WaterProgram.h>
+#include <osgWaterReflect/water/WaterProgram.h>
 
 #include <stdexcept>
 
@@ -14,10 +14,17 @@ MethodScope::MethodScope(const Method& method, TestBed& bed) : _bed(bed)
 
     for (const auto& piece : method.pieces)
         _replacements.emplace_back(piece.first, piece.second);
-    bed.programs.insert(osgWaterReflect::waterProgram(bed.water->getWaves()));
-    if (method.settings.traceScale < 1.0)
-        bed.programs.insert(osgWaterReflect::traceProgram(bed.water->getWaves()));
+    using osgWaterReflect::WaterPass;
+    const auto hold = [&](WaterPass pass)
+    {
+        bed.programs.insert(programOf(
+            keyOf(pass, *bed.water, method.settings, osgWaterReflect::Images::ONE,
+                  osgWaterReflect::effectsOf(*bed.water, osgWaterReflect::EffectView()))));
+    };
+    hold(WaterPass::SHADE);
+    if (method.settings.traceScale < 1.0) hold(WaterPass::TRACE);
     bed.water->setReflection(method.settings);
+    bed.water->setViewSettings(method.settings);
 
     if (bed.mirror) bed.mirror->setNodeMask(method.mirror ? ~0u : 0u);
     if (method.mirror) bed.mirror->showOn(*bed.water->getOrCreateStateSet(), *method.mirror);

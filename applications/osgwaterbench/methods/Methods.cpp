@@ -25,16 +25,16 @@ Method replacingTrace(const std::string& name, const std::string& file,
 
 } // namespace
 
-osgWaterReflect::ReflectionSettings osgwaterbench::searchOfView()
+osgWaterReflect::WaterSettings osgwaterbench::searchOfView()
 {
-    osgWaterReflect::ReflectionSettings settings;
+    osgWaterReflect::WaterSettings settings;
     settings.search = osgWaterReflect::Search::HIERARCHICAL;
     settings.capture = osgWaterReflect::CaptureKind::VIEW;
     return settings;
 }
 
 Method osgwaterbench::libraryMethod(const std::string& name,
-                                    const osgWaterReflect::ReflectionSettings& settings)
+                                    const osgWaterReflect::WaterSettings& settings)
 {
     Method method;
     method.name = name;

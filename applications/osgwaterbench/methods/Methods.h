@@ -3,7 +3,7 @@
 
 #include "MirrorCamera.h"
 
-#include <osgWaterReflect/ReflectionSettings>
+#include <osgWaterReflect/water/WaterSettings.h>
 
 #include <map>
 #include <optional>
@@ -24,7 +24,7 @@ extern const std::map<std::string, std::string> benchShaders;
 struct Method
 {
     std::string name;
-    osgWaterReflect::ReflectionSettings settings;
+    osgWaterReflect::WaterSettings settings;
     std::map<std::string, std::string> pieces; ///< in the place of the library's, and more of them
     std::optional<MirrorLook> mirror;          ///< a mirrored camera instead of the capture
     bool usesCapture = true;                   ///< else the scene is kept out of it
@@ -32,10 +32,10 @@ struct Method
 
 /// The library's default settings, but for what is AUTOMATIC: the hierarchical search in the view's
 /// own image, in every view.
-osgWaterReflect::ReflectionSettings searchOfView();
+osgWaterReflect::WaterSettings searchOfView();
 
 /// The library's own, with any settings.
-Method libraryMethod(const std::string& name, const osgWaterReflect::ReflectionSettings& settings);
+Method libraryMethod(const std::string& name, const osgWaterReflect::WaterSettings& settings);
 
 /// "paper": the sequential search of Li and Luo, literally. Perspective views only.
 Method paperMethod();

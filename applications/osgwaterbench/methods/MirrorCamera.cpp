@@ -1,7 +1,7 @@
 #include "MirrorCamera.h"
 
 #include <osgWaterReflect/Transforms.h>
-#include <osgWaterReflect/trace/Bindings.h>
+#include <osgWaterReflect/shaders/Bindings.h>
 
 #include <osg/FrontFace>
 

@@ -5,7 +5,7 @@
 #include <osgWaterReflect/capture/Capture.h>
 #include <osgWaterReflect/capture/FrameCopy.h>
 #include <osgWaterReflect/offscreen/OffscreenContext.h>
-#include <osgWaterReflect/trace/TracePass.h>
+#include <osgWaterReflect/water/LowResTrace.h>
 
 #include <osg/Geode>
 #include <osgUtil/RenderStage>
@@ -17,7 +17,7 @@
 using namespace osgwaterbench;
 using osgWaterReflect::Capture;
 using osgWaterReflect::FrameCopy;
-using osgWaterReflect::TracePass;
+using osgWaterReflect::LowResTrace;
 using osgWaterReflect::WaterSurface;
 
 namespace
@@ -187,7 +187,7 @@ void BenchView::watchImages()
     auto& renderer = dynamic_cast<osgViewer::Renderer&>(*_viewer.getCamera()->getRenderer());
     osgUtil::RenderStage& viewStage = *renderer.getSceneView(0)->getRenderStage();
     const auto isTrace = [](const osgUtil::RenderStage& stage)
-    { return stage.getCamera()->getName() == TracePass::CAMERA_NAME; };
+    { return stage.getCamera()->getName() == LowResTrace::CAMERA_NAME; };
     const auto watch = [&](osgUtil::RenderStage& image)
     {
         if (isTrace(image))

@@ -3,8 +3,7 @@
 #include "../methods/Methods.h"
 
 #include <osgWaterReflect/Check.h>
-#include <osgWaterReflect/shaders/ShaderSource.h>
-#include <osgWaterReflect/trace/Bindings.h>
+#include <osgWaterReflect/shaders/Bindings.h>
 
 #include <osg/Math>
 #include <osg/io_utils>
@@ -50,12 +49,6 @@ bool check(const HarnessWave& wave)
 
 } // namespace
 
-// The library knows the piece from the first of these waves on.
-HarnessWaves::HarnessWaves()
-{
-    static const osgWaterReflect::ShaderReplacement piece(SHADER, benchShaders.at(SHADER));
-}
-
 HarnessWaves::HarnessWaves(const HarnessWaves& rhs, const osg::CopyOp& copyop) :
     osgWaterReflect::WaveModel(rhs, copyop), _waves(rhs._waves), _slope(rhs._slope)
 {
@@ -75,12 +68,17 @@ bool HarnessWaves::setWaves(const std::vector<HarnessWave>& waves, double slope)
 }
 
 // Cosines of different wave vectors are uncorrelated, and the mean square of each is a half.
-double HarnessWaves::getRmsSlope() const
+osg::Vec3d HarnessWaves::getSlopeCovariance(double length) const
 {
-    double sum = 0.0;
+    osg::Vec3d sum;
     for (const HarnessWave& wave : _waves)
-        sum += 0.5 * wave.weight * wave.weight * wave.direction.length2();
-    return _slope * std::sqrt(sum);
+    {
+        if (2.0 * osg::PI >= length * waveVector(wave).length()) continue;
+        const osg::Vec2d& along = wave.direction;
+        sum += osg::Vec3d(along.x() * along.x(), along.y() * along.y(), along.x() * along.y()) *
+               (0.5 * wave.weight * wave.weight);
+    }
+    return sum * (_slope * _slope);
 }
 
 osg::Vec3d HarnessWaves::getNormal(const osg::Vec2d& place, double) const
@@ -112,9 +110,11 @@ double HarnessWaves::getShortestLength() const
     return std::numeric_limits<double>::infinity();
 }
 
-std::string HarnessWaves::getShaderName() const
+const osgWaterReflect::ShaderPiece* HarnessWaves::getShaderPiece() const
 {
-    return SHADER;
+    static const osg::ref_ptr<const osgWaterReflect::ShaderPiece> piece =
+        new osgWaterReflect::ShaderPiece(SHADER, benchShaders.at(SHADER));
+    return piece;
 }
 
 void HarnessWaves::apply(osg::StateSet& stateSet, const osg::Vec2d& anchor, double) const

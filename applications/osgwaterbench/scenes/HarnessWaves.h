@@ -25,7 +25,7 @@ struct HarnessWave
 class HarnessWaves : public osgWaterReflect::WaveModel
 {
 public:
-    HarnessWaves();
+    HarnessWaves() = default;
     HarnessWaves(const HarnessWaves& rhs, const osg::CopyOp& copyop);
     META_Object(osgWaterBench, HarnessWaves)
 
@@ -43,11 +43,11 @@ public:
     /// The largest sum of the waves' slopes, each as steep as it gets to one side or the other: the
     /// least bound where no wave vector is a sum of multiples of others.
     double getMaxSlope() const override;
-    double getRmsSlope() const override;
+    osg::Vec3d getSlopeCovariance(double length) const override;
     /// Infinite, for no mesh need follow flat water.
     double getShortestLength() const override;
     double getChordError(double) const override { return 0.0; }
-    std::string getShaderName() const override;
+    const osgWaterReflect::ShaderPiece* getShaderPiece() const override;
     void apply(osg::StateSet& stateSet, const osg::Vec2d& anchor, double time) const override;
 
 protected:

@@ -19,7 +19,7 @@ Reflection traceReflection(vec3 originEye, vec3 dirEye)
         float rayDepth =
             1.0 / mix(1.0 / start.w, ray.inverseDepth.y, shareAt(columns, i));
         float behind = rayDepth - eyeDepthAt(windowZ);
-        if (windowZ < 1.0 && behind >= 0.0 && behind <= thickness) return answerCaptured(window);
+        if (windowZ < 1.0 && behind >= 0.0 && behind <= hitThickness) return answerCaptured(window);
     }
     return answerSky(ray, dirEye, ray.endReason);
 }

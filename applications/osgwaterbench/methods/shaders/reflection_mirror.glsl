@@ -13,9 +13,9 @@ uniform vec2 bench_mirrorDistortion;
 // eye (up in the image).
 vec2 leanOfNormal()
 {
-    vec3 still = side * normalize(normalEyeFromSurface * vec3(0.0, 0.0, 1.0));
-    vec3 normal = side * normalize(normalEyeFromSurface *
-                                   waveNormal(place, dFdx(place), dFdy(place)));
+    vec3 still = eyeSide * normalize(normalEyeFromSurface * vec3(0.0, 0.0, 1.0));
+    WaveSlope slope = waveSlope(placeSurface, dFdx(placeSurface), dFdy(placeSurface));
+    vec3 normal = eyeSide * normalize(normalEyeFromSurface * normalOf(slope.mean));
     vec3 right = normalize(vec3(1.0, 0.0, 0.0) - still.x * still);
     vec3 away = cross(still, right);
     return vec2(dot(normal, right), dot(normal, away));
@@ -28,7 +28,7 @@ Reflection traceReflection(vec3 originEye, vec3 dirEye)
     vec2 window = gl_FragCoord.xy + strength * size * leanOfNormal();
     window = clamp(window, vec2(0.5), size - 0.5);
 
-    COUNT_DEPTH_FETCH
+    COUNT_FETCH
     if (texelFetch(bench_mirrorWindowZ, ivec2(window), 0).r >= 1.0)
         return answerSky(projectRay(eyeCapture, originEye, dirEye), dirEye, REASON_SKY);
     vec3 colour = finiteColour(texelFetch(bench_mirrorColour, ivec2(window), 0).rgb);

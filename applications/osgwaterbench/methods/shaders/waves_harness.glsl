@@ -14,8 +14,8 @@ float highestWave()
     return 0.0;
 }
 
-// Unit normal in surface space at the point itself, not averaged over the pixel.
-vec3 waveNormal(vec2 p, vec2 dPdx, vec2 dPdy)
+// At the point itself, not averaged over the pixel.
+WaveSlope waveSlope(vec2 p, vec2 dPdx, vec2 dPdy)
 {
     vec2 slope = vec2(0.0);
     for (int i = 0; i < bench_waveCount; ++i)
@@ -23,5 +23,5 @@ vec3 waveNormal(vec2 p, vec2 dPdx, vec2 dPdy)
         vec2 k = bench_waves[i].xy;
         slope += k * (bench_waves[i].z * cos(dot(k, p) + bench_waves[i].w));
     }
-    return normalize(vec3(-slope, 1.0));
+    return WaveSlope(slope, vec3(0.0));
 }
