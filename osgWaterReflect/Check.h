@@ -3,7 +3,7 @@
 
 #include <osg/Notify>
 
-#include <cmath>
+#include <string>
 
 namespace osgWaterReflect
 {
@@ -11,7 +11,7 @@ namespace osgWaterReflect
 /// Says that a value was refused, in the form that all of this library's refusals have:
 /// "Class::member: expected ..., got ...". Returns false, for the caller to hand on.
 template <typename Value>
-bool refuse(const char* member, const char* expected, const Value& got)
+bool refuse(const std::string& member, const std::string& expected, const Value& got)
 {
     OSG_WARN << member << ": expected " << expected << ", got " << got << std::endl;
     return false;
@@ -26,13 +26,6 @@ bool expectRange(const char* member, Number value, Number lowest, Number highest
     OSG_WARN << member << ": expected a value in [" << lowest << ", " << highest << "], got "
              << value << std::endl;
     return false;
-}
-
-/// Whether value is finite and above 0; says what was refused where it is not.
-inline bool expectPositive(const char* member, double value)
-{
-    if (std::isfinite(value) && value > 0.0) return true;
-    return refuse(member, "a finite value above 0", value);
 }
 
 } // namespace osgWaterReflect

@@ -7,6 +7,7 @@
 
 #include <osg/Math>
 
+#include <cmath>
 #include <limits>
 
 using namespace osgWaterReflect;

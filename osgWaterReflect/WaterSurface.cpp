@@ -11,6 +11,7 @@
 #include <osgUtil/Tessellator>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace osgWaterReflect;
 

@@ -2,58 +2,47 @@
 #define OSGWATERVIEWER_NAMES_H
 
 #include <osgWaterReflect/WaterSurface>
+#include <osgWaterReflect/settings/Member.h>
 
-#include <cstddef>
+#include <algorithm>
+#include <string>
 
 namespace osgwaterviewer
 {
 
-/// A word of the command line, of the help and of the reports for a member of an enumeration.
-template <typename Value>
-struct Named
+/// The debug views that tell something in a picture of 8 bits.
+inline constexpr osgWaterReflect::Enumeration<osgWaterReflect::WaterSurface::DebugView>
+    DEBUG_VIEWS = {"DebugView",
+                   {{"NONE", osgWaterReflect::WaterSurface::DebugView::NONE},
+                    {"REASON", osgWaterReflect::WaterSurface::DebugView::REASON},
+                    {"REFLECTION", osgWaterReflect::WaterSurface::DebugView::REFLECTION}}};
+
+/// How the command line, the help and the reports write what is VIEW_AND_MIRROR in C++:
+/// view-and-mirror.
+std::string wordOf(const std::string& enumerator);
+
+/// How the command line names the option of a member: --capture-scale for captureScale.
+std::string optionOf(const std::string& member);
+
+/// The word for a value that the enumeration has.
+template <typename Enum>
+std::string wordOf(const osgWaterReflect::Enumeration<Enum>& enumeration, Enum value)
 {
-    const char* name;
-    Value value;
-};
-
-constexpr Named<osgWaterReflect::Search> SEARCHES[] = {
-    {"sequential", osgWaterReflect::Search::SEQUENTIAL},
-    {"binary", osgWaterReflect::Search::BINARY},
-    {"hierarchical", osgWaterReflect::Search::HIERARCHICAL},
-    {"automatic", osgWaterReflect::Search::AUTOMATIC}};
-
-constexpr Named<osgWaterReflect::CaptureKind> CAPTURES[] = {
-    {"view", osgWaterReflect::CaptureKind::VIEW},
-    {"frame", osgWaterReflect::CaptureKind::FRAME},
-    {"mirror", osgWaterReflect::CaptureKind::MIRROR},
-    {"view-and-mirror", osgWaterReflect::CaptureKind::VIEW_AND_MIRROR},
-    {"automatic", osgWaterReflect::CaptureKind::AUTOMATIC}};
-
-constexpr Named<osgWaterReflect::GuardBandKind> GUARD_BANDS[] = {
-    {"none", osgWaterReflect::GuardBandKind::NONE},
-    {"adaptive", osgWaterReflect::GuardBandKind::ADAPTIVE},
-    {"fixed", osgWaterReflect::GuardBandKind::FIXED}};
-
-constexpr Named<osgWaterReflect::WaterSurface::DebugView> DEBUG_VIEWS[] = {
-    {"none", osgWaterReflect::WaterSurface::DebugView::NONE},
-    {"reason", osgWaterReflect::WaterSurface::DebugView::REASON},
-    {"reflection", osgWaterReflect::WaterSurface::DebugView::REFLECTION}};
-
-/// The entry of a value, which the table has.
-template <typename Value, std::size_t Count>
-const Named<Value>& entryOf(const Named<Value> (&table)[Count], Value value)
-{
-    std::size_t i = 0;
-    while (i + 1 < Count && table[i].value != value)
-        ++i;
-    return table[i];
+    for (const osgWaterReflect::Named<Enum>& each : enumeration.values)
+        if (each.value == value) return wordOf(each.name);
+    return "";
 }
 
-/// The entry after a value's own, the first one after the last.
-template <typename Value, std::size_t Count>
-const Named<Value>& entryAfter(const Named<Value> (&table)[Count], Value value)
+/// The value after another; the first one after the last, and after one that is not listed.
+template <typename Enum>
+Enum valueAfter(const osgWaterReflect::Enumeration<Enum>& enumeration, Enum value)
 {
-    return table[(&entryOf(table, value) - table + 1) % Count];
+    const auto* const end = enumeration.values.end();
+    const auto* const found =
+        std::find_if(enumeration.values.begin(), end,
+                     [&](const osgWaterReflect::Named<Enum>& each) { return each.value == value; });
+    const bool hasNext = found != end && found + 1 != end;
+    return (hasNext ? found + 1 : enumeration.values.begin())->value;
 }
 
 } // namespace osgwaterviewer

@@ -9,6 +9,7 @@
 #include <iostream>
 
 #include <osgWaterReflect/offscreen/OffscreenContext.h>
+#include <osgWaterReflect/settings/Members.h>
 
 using namespace osgwaterviewer;
 
@@ -103,8 +104,8 @@ void report(const Scene& scene, const Picture& picture, double frameTime)
               << ", time " << picture.time << " s\n"
               << "model: " << scene.models << "\n"
               << "waters: " << scene.waters.size() << "\n"
-              << "search: " << entryOf(SEARCHES, look.reflection.search).name << ", thickness "
-              << look.reflection.thickness << "\n"
+              << "search: " << wordOf(osgWaterReflect::SEARCHES, look.reflection.search)
+              << ", thickness " << look.reflection.thickness << "\n"
               << "waves: ";
     if (look.moving)
         std::cout << "steepness " << look.breeze.steepness << ", length " << look.breeze.length

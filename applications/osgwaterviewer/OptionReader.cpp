@@ -20,7 +20,6 @@ bool OptionReader::read(const std::string& name, const std::string& placeholder,
 {
     _arguments.getApplicationUsage()->addCommandLineOption(name + " " + placeholder,
                                                            help + " [" + defaultText + "]");
-    bool given = false;
     for (int position = _arguments.find(name); position > 0; position = _arguments.find(name))
     {
         const bool hasValue = position + 1 < _arguments.argc() &&
@@ -32,9 +31,9 @@ bool OptionReader::read(const std::string& name, const std::string& placeholder,
         }
         value = _arguments[position + 1];
         _arguments.remove(position, 2);
-        given = true;
+        _given.insert(name);
     }
-    return given;
+    return isGiven(name);
 }
 
 bool OptionReader::refuse(const std::string& name, const std::string& expected,
@@ -59,8 +58,23 @@ std::vector<std::string> OptionReader::takeFiles()
     return files;
 }
 
+bool OptionReader::readColour(const std::string& name, const std::string& help, osg::Vec3& colour)
+{
+    std::string text;
+    if (!read(name, "r,g,b", help,
+              textOf(colour.x()) + "," + textOf(colour.y()) + "," + textOf(colour.z()), text))
+        return false;
+    std::vector<float> rgb(3);
+    if (!parseNumbers(text, ',', rgb))
+        return refuse(name, "three finite numbers with commas between", text);
+    colour.set(rgb[0], rgb[1], rgb[2]);
+    return true;
+}
+
 std::string OptionReader::textOf(double number)
 {
+    if (std::abs(number) < 1e9 && number == std::floor(number))
+        return std::to_string(static_cast<int>(number));
     std::ostringstream text;
     text << number;
     return text.str();

@@ -4,9 +4,11 @@
 #include "Names.h"
 
 #include <osg/ArgumentParser>
+#include <osg/Vec3>
 
 #include <charconv>
 #include <cmath>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -73,24 +75,30 @@ public:
         return parseNumber(text, number) || refuse(name, expected, text);
     }
 
+    /// Red, green and blue, with commas between.
+    bool readColour(const std::string& name, const std::string& help, osg::Vec3& colour);
+
     /// The value is the default before and the one that the option names after.
-    template <typename Value, std::size_t Count>
+    template <typename Enum>
     bool readName(const std::string& name, const std::string& help,
-                  const Named<Value> (&table)[Count], Value& value)
+                  const osgWaterReflect::Enumeration<Enum>& enumeration, Enum& value)
     {
         std::string words;
-        for (const Named<Value>& entry : table)
-            words += (words.empty() ? "" : "|") + std::string(entry.name);
+        for (const auto& each : enumeration.values)
+            words += (words.empty() ? "" : "|") + wordOf(each.name);
         std::string text;
-        if (!read(name, words, help, entryOf(table, value).name, text)) return false;
-        for (const Named<Value>& entry : table)
-            if (text == entry.name)
+        if (!read(name, words, help, wordOf(enumeration, value), text)) return false;
+        for (const auto& each : enumeration.values)
+            if (text == wordOf(each.name))
             {
-                value = entry.value;
+                value = each.value;
                 return true;
             }
         return refuse(name, "one of " + words, text);
     }
+
+    /// Whether an option that has been read was given.
+    bool isGiven(const std::string& name) const { return _given.count(name) > 0; }
 
     /// Notes a value that cannot be used. Returns false.
     bool refuse(const std::string& name, const std::string& expected, const std::string& got);
@@ -106,6 +114,7 @@ public:
 
 private:
     osg::ArgumentParser& _arguments;
+    std::set<std::string> _given; // options
     std::string _mistake;
 };
 

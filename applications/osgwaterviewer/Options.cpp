@@ -1,6 +1,7 @@
 #include "Options.h"
 
 #include "Complain.h"
+#include "SettingsReader.h"
 
 #include <osg/ApplicationUsage>
 
@@ -8,8 +9,6 @@ using namespace osgwaterviewer;
 
 namespace
 {
-
-const std::string SCALED = "is scaled to the models where --water has laid the only water.";
 
 unsigned int readHelp(OptionReader& reader)
 {
@@ -32,7 +31,9 @@ std::optional<WaterLevel> readWaterLevel(OptionReader& reader)
 {
     std::string text;
     if (!reader.read("--water", "LEVEL|auto",
-                     "Lay water through the models at this world z, or at a tenth of their height.",
+                     "Lay water through the models at this world z, or at a tenth of their height. "
+                     "Where there is no other, --thickness and --wave-length are scaled to the "
+                     "models unless they are given.",
                      "none", text))
         return std::nullopt;
     WaterLevel level;
@@ -89,66 +90,15 @@ std::optional<double> readFovy(OptionReader& reader)
     return fovyDegrees;
 }
 
-void readReflection(OptionReader& reader, WaterLook& look)
+void readLook(OptionReader& reader, WaterLook& look)
 {
-    osgWaterReflect::ReflectionSettings& reflection = look.reflection;
-    reader.readName("--search", "How reflected rays are looked for.", SEARCHES, reflection.search);
-    reader.readName("--capture", "The image that they are looked for in.", CAPTURES,
-                    reflection.capture);
-    look.thicknessGiven = reader.readNumber(
-        "--thickness", "LENGTH",
-        "How far behind a visible surface still counts as inside it, in world units. The default " +
-            SCALED,
-        reflection.thickness);
-    reader.readNumber("--stride", "PIXELS",
-                      "Of a sequential search: look at every stride-th column only.",
-                      reflection.stride);
-}
-
-void readViewSettings(OptionReader& reader, osgWaterReflect::ViewSettings& settings)
-{
-    reader.readName("--guard-band",
-                    "How far the captured image reaches beyond the picture's borders.", GUARD_BANDS,
-                    settings.guardBand);
-    reader.readNumber("--capture-scale", "SCALE",
-                      "Size of the captured image over the view's, above 0, up to 1.",
-                      settings.captureScale);
-    reader.readNumber(
-        "--trace-scale", "SCALE",
-        "Size of the image that rays are searched for in first over the view's, above "
-        "0, up to 1.",
-        settings.traceScale);
-    reader.readNumber("--frame-time", "MILLISECONDS",
-                      "Give up accuracy step by step where frames take longer; 0: never.",
-                      settings.frameTimeTarget);
-}
-
-void readOptics(OptionReader& reader, osgWaterReflect::WaterOptics& optics)
-{
-    reader.readNumber("--refractive-index", "INDEX", "Of the water over that of the air, 1 to 4.",
-                      optics.refractiveIndex);
-    const osg::Vec3& colour = optics.waterColour;
-    std::string text;
-    if (!reader.read("--water-colour", "r,g,b", "What is not reflected, each 0 to 1.",
-                     OptionReader::textOf(colour.x()) + "," + OptionReader::textOf(colour.y()) +
-                         "," + OptionReader::textOf(colour.z()),
-                     text))
-        return;
-    std::vector<float> rgb(3);
-    if (!parseNumbers(text, ',', rgb))
-        reader.refuse("--water-colour", "three finite numbers with commas between", text);
-    optics.waterColour.set(rgb[0], rgb[1], rgb[2]);
-}
-
-void readDetail(OptionReader& reader, osgWaterReflect::SurfaceDetail& detail)
-{
-    reader.readNumber("--max-edge-pixels", "PIXELS", "Longest edge of the mesh of moving water.",
-                      detail.maxEdgePixels);
-    reader.readNumber("--max-error-pixels", "PIXELS",
-                      "How far moving water may stray from its mesh where edges are longer.",
-                      detail.maxErrorPixels);
-    reader.readNumber("--max-vertices", "COUNT", "Most vertices of the mesh of moving water.",
-                      detail.maxVertices);
+    readSettings(reader, look.reflection);
+    readSettings(reader, look.viewSettings);
+    readSettings(reader, look.optics);
+    readSettings(reader, look.detail);
+    look.thicknessGiven = reader.isGiven("--thickness");
+    reader.readName("--debug-view", "What is shown in place of the water.", DEBUG_VIEWS,
+                    look.debugView);
 }
 
 void readBreeze(OptionReader& reader, WaterLook& look)
@@ -159,8 +109,7 @@ void readBreeze(OptionReader& reader, WaterLook& look)
                                     "above 0 and below 1. The default is that of the waves' key.",
                                     breeze.steepness);
     look.waveLengthGiven =
-        reader.readNumber("--wave-length", "METRES",
-                          "Length of the longest wave. The default " + SCALED, breeze.length);
+        reader.readNumber("--wave-length", "METRES", "Length of the longest wave.", breeze.length);
     reader.readNumber("--wave-direction", "DEGREES", "Where the waves travel, from x toward y.",
                       breeze.directionDegrees);
 }
@@ -210,12 +159,7 @@ std::optional<Options> osgwaterviewer::readOptions(osg::ArgumentParser& argument
     options.fovyDegrees = readFovy(reader);
     reader.read("-p", "FILE", "Follow the camera path that was recorded with the z key.", "none",
                 options.pathFile);
-    readReflection(reader, options.look);
-    readViewSettings(reader, options.look.viewSettings);
-    readOptics(reader, options.look.optics);
-    readDetail(reader, options.look.detail);
-    reader.readName("--debug-view", "What is shown in place of the water.", DEBUG_VIEWS,
-                    options.look.debugView);
+    readLook(reader, options.look);
     readPicture(reader, options.picture);
     readBreeze(reader, options.look);
     options.models = reader.takeFiles();

@@ -2,10 +2,14 @@
 
 #include "Names.h"
 
+#include <osgWaterReflect/settings/Members.h>
+
 #include <osg/Notify>
 
 using namespace osgwaterviewer;
 using osgWaterReflect::ReflectionSettings;
+using osgWaterReflect::Search;
+using osgWaterReflect::SEARCHES;
 using osgWaterReflect::WaterSurface;
 
 namespace
@@ -82,22 +86,22 @@ void WaterHandler::switchWaves()
 
 void WaterHandler::switchSearch()
 {
-    const auto& next = entryAfter(SEARCHES, _waters.front()->getReflection().search);
+    const Search next = valueAfter(SEARCHES, _waters.front()->getReflection().search);
     for (const osg::ref_ptr<WaterSurface>& water : _waters)
     {
         ReflectionSettings settings = water->getReflection();
-        settings.search = next.value;
+        settings.search = next;
         water->setReflection(settings);
     }
-    say("search", next.name);
+    say("search", wordOf(SEARCHES, next));
 }
 
 void WaterHandler::switchDebugView()
 {
-    const auto& next = entryAfter(DEBUG_VIEWS, _waters.front()->getDebugView());
+    const WaterSurface::DebugView next = valueAfter(DEBUG_VIEWS, _waters.front()->getDebugView());
     for (const osg::ref_ptr<WaterSurface>& water : _waters)
-        water->setDebugView(next.value);
-    say("debug view", next.name);
+        water->setDebugView(next);
+    say("debug view", wordOf(DEBUG_VIEWS, next));
 }
 
 void WaterHandler::sayStatus() const

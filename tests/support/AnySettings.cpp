@@ -1,111 +1,64 @@
 #include "AnySettings.h"
 
+#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 using namespace osgWaterReflect;
 
-double AnyNumber::operator()()
+double anyNumber(Chance& chance)
 {
     using Limits = std::numeric_limits<double>;
-    const double limits[] = {0.0,
-                             -0.0,
-                             1.0,
-                             64.0,
-                             3.0,
-                             -1.0,
-                             Limits::quiet_NaN(),
-                             Limits::infinity(),
-                             -Limits::infinity(),
-                             Limits::denorm_min(),
-                             Limits::max()};
-    const double limit = limits[integer(0, static_cast<int>(std::size(limits)) - 1)];
-    switch (integer(0, 3))
+    const double limit =
+        chance.oneOf({0.0, -0.0, 1.0, 64.0, 3.0, -1.0, Limits::quiet_NaN(), Limits::infinity(),
+                      -Limits::infinity(), Limits::denorm_min(), Limits::max()});
+    switch (chance.integer(0, 3))
     {
     case 0:
         return limit;
     case 1:
-        return std::nextafter(limit, once(2) ? 1e9 : -1e9);
+        return std::nextafter(limit, chance.oneOf({1e9, -1e9}));
     case 2:
-        return std::pow(10.0, between(-30.0, 30.0));
+        return std::pow(10.0, chance.between(-30.0, 30.0));
     default:
-        return between(0.0, 1.0);
+        return chance.between(0.0, 1.0);
     }
 }
 
-double AnyNumber::between(double low, double high)
+double numberWithin(const Range& range, Chance& chance)
 {
-    return std::uniform_real_distribution<double>(low, high)(_random);
+    const bool bounded = range.highest < Range::LARGEST;
+    if (chance.once(8) && range.lowestIncluded) return range.lowest;
+    if (chance.once(8) && bounded) return range.highest;
+    if (!bounded) return range.lowest + chance.logBetween(1e-6, 1e6);
+    if (range.lowestIncluded) return chance.between(range.lowest, range.highest);
+    return range.lowest + (range.highest - range.lowest) * chance.logBetween(1e-3, 1.0);
 }
 
-int AnyNumber::integer(int low, int high)
+double numberAbout(const Range& range, Chance& chance)
 {
-    return std::uniform_int_distribution<int>(low, high)(_random);
+    const double bound = chance.oneOf({range.lowest, range.highest});
+    switch (chance.integer(0, 3))
+    {
+    case 0:
+        return chance.oneOf(
+            {bound, std::nextafter(bound, Range::LARGEST), std::nextafter(bound, -Range::LARGEST)});
+    case 1:
+        return anyNumber(chance);
+    default:
+        return numberWithin(range, chance);
+    }
 }
 
-ReflectionSettings anyReflection(AnyNumber& any)
+std::vector<TrochoidalWave> anyWaves(Chance& chance)
 {
-    ReflectionSettings settings;
-    settings.search = static_cast<Search>(any.integer(1, 4));
-    settings.capture = static_cast<CaptureKind>(any.integer(1, 5));
-    settings.thickness = any();
-    if (any.once(2)) settings.stride = any.integer(-3, 70);
-    return settings;
-}
-
-ViewSettings anyViewSettings(AnyNumber& any)
-{
-    ViewSettings settings;
-    settings.guardBand = static_cast<GuardBandKind>(any.integer(1, 3));
-    for (int changes = any.integer(1, 2); changes > 0; --changes)
-        switch (any.integer(0, 4))
-        {
-        case 0:
-            settings.captureScale = any();
-            break;
-        case 1:
-            settings.maxExtraPixels = any();
-            break;
-        case 2:
-            settings.guardBandShare = any();
-            break;
-        case 3:
-            settings.traceScale = any();
-            break;
-        default:
-            settings.frameTimeTarget = any();
-            break;
-        }
-    return settings;
-}
-
-WaterOptics anyOptics(AnyNumber& any)
-{
-    WaterOptics optics;
-    optics.refractiveIndex = any.once(2) ? any() : any.between(0.9, 4.1);
-    optics.waterColour[any.integer(0, 2)] = static_cast<float>(any());
-    return optics;
-}
-
-SurfaceDetail anyDetail(AnyNumber& any)
-{
-    SurfaceDetail detail;
-    if (any.once(2)) detail.maxEdgePixels = any.once(2) ? any() : any.between(0.9, 1100.0);
-    if (any.once(2)) detail.maxErrorPixels = any.once(2) ? any() : any.between(0.0, 70.0);
-    detail.maxVertices = static_cast<unsigned int>(any.integer(900, 3000));
-    return detail;
-}
-
-std::vector<TrochoidalWave> anyWaves(AnyNumber& any)
-{
-    std::vector<TrochoidalWave> waves(any.integer(0, 4));
+    std::vector<TrochoidalWave> waves(chance.integer(0, 4));
     for (TrochoidalWave& wave : waves)
     {
-        if (any.once(2)) wave.amplitude = any();
-        if (any.once(2)) wave.length = any();
-        if (any.once(4)) wave.directionDegrees = any();
-        if (any.once(4)) wave.phase = any();
+        if (chance.once(2)) wave.amplitude = anyNumber(chance);
+        if (chance.once(2)) wave.length = anyNumber(chance);
+        if (chance.once(4)) wave.directionDegrees = anyNumber(chance);
+        if (chance.once(4)) wave.phase = anyNumber(chance);
     }
     return waves;
 }

@@ -15,9 +15,9 @@ namespace
 const std::string LIBRARY = std::string(OSGWATERREFLECT_TEST_DIRECTORY) + "/../osgWaterReflect/";
 
 // In the order in which data goes through them; docs/conventions.md says why.
-const std::vector<std::string> FOLDERS = {"shaders", "passes", "waves",   "dynamics",
-                                          "surface", "band",   "capture", "images",
-                                          "effects", "water",  "view"};
+const std::vector<std::string> FOLDERS = {"settings", "shaders", "passes", "waves",
+                                          "dynamics", "surface", "band",   "capture",
+                                          "images",   "effects", "water",  "view"};
 
 int placeOf(const std::string& folder)
 {

@@ -58,10 +58,10 @@ help()
 {
     "$viewer" --help > help.txt || fail "expected exit status 0, got $?"
     for option in --help --help-env --help-keys --help-all --water --sky --no-sky --camera --fovy \
-        --search --capture --guard-band --thickness --stride --capture-scale --trace-scale \
-        --frame-time --refractive-index --water-colour --max-edge-pixels --max-error-pixels \
-        --max-vertices --debug-view --offscreen --size --time --frames --waves \
-        --wave-length --wave-direction -p
+        --search --capture --thickness --stride --capture-scale --trace-scale --guard-band \
+        --max-extra-pixels --guard-band-share --frame-time --refractive-index --water-colour \
+        --max-edge-pixels --max-error-pixels --max-vertices --debug-view --offscreen --size \
+        --time --frames --waves --wave-length --wave-direction -p
     do
         grep -q -e "^  $option\( \|\$\)" help.txt || fail "expected $option in the help"
     done
@@ -119,6 +119,8 @@ wrong_ranges()
     refused thickness --thickness -1
     refused captureScale --capture-scale 1.5
     refused traceScale --trace-scale 0
+    refused maxExtraPixels --max-extra-pixels 3.1
+    refused guardBandShare --guard-band-share -0.1
     refused frameTimeTarget --frame-time -1
     refused refractiveIndex --refractive-index 0.9
     refused waterColour --water-colour 0,2,0

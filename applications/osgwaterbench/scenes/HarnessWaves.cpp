@@ -13,7 +13,6 @@
 #include <limits>
 
 using namespace osgwaterbench;
-using osgWaterReflect::expectPositive;
 using osgWaterReflect::refuse;
 
 namespace
@@ -44,7 +43,8 @@ bool check(const HarnessWave& wave)
         return refuse(member, "a finite direction", wave.direction);
     if (!std::isfinite(wave.phase)) return refuse(member, "a finite phase", wave.phase);
     if (!std::isfinite(wave.weight)) return refuse(member, "a finite weight", wave.weight);
-    return expectPositive("HarnessWaves::setWaves waveNumber", wave.waveNumber);
+    return (std::isfinite(wave.waveNumber) && wave.waveNumber > 0.0) ||
+           refuse("HarnessWaves::setWaves waveNumber", "a finite value above 0", wave.waveNumber);
 }
 
 } // namespace
