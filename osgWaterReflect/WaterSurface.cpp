@@ -11,6 +11,7 @@
 #include <osgUtil/Tessellator>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 using namespace osgWaterReflect;
@@ -201,33 +202,49 @@ bool WaterSurface::setDetail(const SurfaceDetail& detail)
     return true;
 }
 
+// The bound is computed at once: so whatever changes a drawable afterwards is told of it anew, and
+// its sheets are not taken for those of before.
 void WaterSurface::setWaves(WaveModel* waves)
 {
     _waves = waves;
     _waveBounds = std::make_shared<WaveBounds>(waves);
+    _onlyWavesChange = _boundingSphereComputed;
     dirtyBound();
+    if (_onlyWavesChange) getBound();
+    _onlyWavesChange = false;
 }
 
-// Runs before any cull, in one thread, whenever a drawable's shape has changed: the place to take
-// the sheets from the drawables.
+// Runs before any cull whenever a drawable's shape has changed: the place to take the sheets from
+// the drawables.
 osg::BoundingSphere WaterSurface::computeBound() const
 {
     osg::BoundingSphere bound = osg::Geode::computeBound();
-    _stillWaters.clear();
-    for (unsigned int i = 0; i < getNumDrawables(); ++i)
+    if (!_onlyWavesChange)
     {
-        const osg::Drawable* const drawable = getDrawable(i);
-        if (!drawable) continue; // osg::Group's own addChild takes any node
-        const auto sheets = StillWater::createSheets(const_cast<osg::Drawable&>(*drawable));
-        _stillWaters.insert(_stillWaters.end(), sheets.begin(), sheets.end());
+        const auto sheets = std::make_shared<Sheets>();
+        for (unsigned int i = 0; i < getNumDrawables(); ++i)
+        {
+            const osg::Drawable* const drawable = getDrawable(i);
+            if (!drawable) continue; // osg::Group's own addChild takes any node
+            const auto own = StillWater::createSheets(const_cast<osg::Drawable&>(*drawable));
+            sheets->insert(sheets->end(), own.begin(), own.end());
+        }
+        std::atomic_store(&_sheets, std::shared_ptr<const Sheets>(sheets));
     }
     if (_waves)
     {
-        for (const osg::ref_ptr<StillWater>& sheet : _stillWaters)
-            _bbox.expandBy(sheet->localBound(_waves->getAmplitude()));
+        for (const osg::ref_ptr<StillWater>& sheet : *sheets())
+            _bbox.expandBy(sheet->localBound(_waveBounds->amplitude));
         bound = osg::BoundingSphere(_bbox);
     }
     return bound;
+}
+
+std::shared_ptr<const WaterSurface::Sheets> WaterSurface::sheets() const
+{
+    static const auto none = std::make_shared<const Sheets>();
+    const std::shared_ptr<const Sheets> sheets = std::atomic_load(&_sheets);
+    return sheets ? sheets : none;
 }
 
 void WaterSurface::traverse(osg::NodeVisitor& visitor)
@@ -242,9 +259,10 @@ void WaterSurface::traverse(osg::NodeVisitor& visitor)
 
     getBound(); // the sheets are as of the last bound
     ViewRecord* record = nullptr;
-    for (std::size_t i = 0; i < _stillWaters.size(); ++i)
+    const std::shared_ptr<const Sheets> all = sheets();
+    for (std::size_t i = 0; i < all->size(); ++i)
     {
-        const StillWater& sheet = *_stillWaters[i];
+        const StillWater& sheet = *(*all)[i];
         if (view->isCulled(sheet.localBound(_waveBounds->amplitude))) continue;
         if (!record) remember(*(record = &ViewRecord::of(*view)));
         record->waterView(*view).enrol(
@@ -283,7 +301,7 @@ void WaterSurface::releaseGLObjects(osg::State* state) const
 {
     for (const osg::ref_ptr<ViewRecord>& record : viewRecords())
         record->release(*this, state);
-    for (const osg::ref_ptr<StillWater>& sheet : _stillWaters)
+    for (const osg::ref_ptr<StillWater>& sheet : *sheets())
         sheet->calmMesh()->releaseGLObjects(state);
     if (_sky) _sky->releaseGLObjects(state);
     osg::Geode::releaseGLObjects(state);
@@ -293,7 +311,7 @@ void WaterSurface::resizeGLObjectBuffers(unsigned int maxSize)
 {
     for (const osg::ref_ptr<ViewRecord>& record : viewRecords())
         record->resizeGLObjectBuffers(maxSize);
-    for (const osg::ref_ptr<StillWater>& sheet : _stillWaters)
+    for (const osg::ref_ptr<StillWater>& sheet : *sheets())
         sheet->calmMesh()->resizeGLObjectBuffers(maxSize);
     if (_sky) _sky->resizeGLObjectBuffers(maxSize);
     osg::Geode::resizeGLObjectBuffers(maxSize);

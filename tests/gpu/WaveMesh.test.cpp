@@ -7,6 +7,10 @@
 #include <osgWaterReflect/TrochoidalWaves>
 #include <osgWaterReflect/WaterSurface>
 
+#include <osg/Geometry>
+#include <osgUtil/RenderStage>
+#include <osgViewer/Renderer>
+
 #include <cmath>
 
 using namespace osgWaterReflect;
@@ -135,4 +139,59 @@ TEST_CASE("changes of the mesh do not show as the eye moves on")
         return sum;
     };
     CHECK(change(SurfaceDetail().maxErrorPixels) < 1.025 * change(0.02));
+}
+
+namespace
+{
+
+// What the water of a view was drawn with in the last frame: its leaf in the view's stage.
+const osg::Drawable* drawnWater(osg::Camera& camera)
+{
+    auto& renderer = dynamic_cast<osgViewer::Renderer&>(*camera.getRenderer());
+    const auto& bins = renderer.getSceneView(0)->getRenderStage()->getRenderBinList();
+    const auto water = bins.find(9);
+    REQUIRE(water != bins.end());
+    const auto& graphs = water->second->getStateGraphList();
+    REQUIRE(graphs.size() == 1);
+    REQUIRE(graphs.front()->_leaves.size() == 1);
+    return graphs.front()->_leaves.front()->getDrawable();
+}
+
+} // namespace
+
+// Breaks where setWaves leaves the sheets to be taken from the drawables anew; and, for the second,
+// where it keeps them though a drawable has changed since.
+TEST_CASE("other waves keep the water's sheets and mesh, another outline does not")
+{
+    OffscreenView view(64, 48);
+    view.look(scenes::HARBOUR_EYE, scenes::HARBOUR_CENTRE);
+    const osg::ref_ptr<WaterSurface> lake = scenes::createLake();
+    const osg::ref_ptr<TrochoidalWaves> waves = TrochoidalWaves::createBreeze(2.0, 0.1);
+    lake->setWaves(waves);
+    view.render(lake);
+    const osg::Drawable* const mesh = drawnWater(view.camera());
+    double radius = lake->getBound().radius();
+    for (int i = 0; i < 5; ++i)
+    {
+        std::vector<osgWaterReflect::TrochoidalWave> higher = waves->getWaves();
+        for (osgWaterReflect::TrochoidalWave& wave : higher)
+            wave.amplitude *= 1.1;
+        REQUIRE(waves->setWaves(higher));
+        lake->setWaves(waves);
+        CHECK(lake->getBoundingBox().zMax() >= static_cast<float>(waves->getAmplitude()));
+        CHECK(lake->getBound().radius() >= radius);
+        radius = lake->getBound().radius();
+        view.render(lake);
+        CHECK(drawnWater(view.camera()) == mesh);
+    }
+
+    auto& geometry = dynamic_cast<osg::Geometry&>(*lake->getDrawable(0));
+    auto& corners = static_cast<osg::Vec3Array&>(*geometry.getVertexArray());
+    lake->setWaves(waves);
+    for (osg::Vec3& corner : corners)
+        corner *= 2.0f;
+    geometry.dirtyBound();
+    view.render(lake);
+    CHECK(drawnWater(view.camera()) != mesh);
+    CHECK(lake->getBound().radius() > 1.5 * radius);
 }
