@@ -151,7 +151,7 @@ TEST_CASE("waves are reflected in the view's capture, and where its band is too 
     CHECK(view.kinds() == "m");
 }
 
-// Falls when BandDemand::serves asks for the rays of the steepest places, too.
+// Falls when the plan asks for the rays of the steepest places, too.
 TEST_CASE("a band that only the steepest places of waves leave serves")
 {
     BoxesView view;

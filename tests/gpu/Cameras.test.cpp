@@ -178,7 +178,7 @@ TEST_CASE("whatever lights a view has, the scene beside the water is lit as with
     CHECK(countDifferent(*view.captured->one().colour, *without, 1.01 / 255.0) < 19);
 }
 
-// Breaks where ViewRecord::captureFor keeps one capture for all cameras.
+// Breaks where ViewRecord::waterView keeps one view for all cameras.
 TEST_CASE("a camera that renders to a texture has a capture of its own, and the picture of a view")
 {
     const osg::ref_ptr<osg::Group> scene =

@@ -107,7 +107,7 @@ TEST_CASE("the capture is, pixel for pixel, the frame without water")
     CHECK(countDifferent(*capture.windowZ, *without.captured->frameWindowZ) == 0);
 }
 
-// Breaks where Capture::resize takes another format than colourFormat's.
+// Breaks where Capture::allocate takes another format than colourFormat's.
 TEST_CASE("the capture of a window has a window's 8 bits and its colours")
 {
     HarbourView view(160, 120, OffscreenView::Format::RGBA8);
@@ -195,7 +195,7 @@ TEST_CASE("state of the view and of the scene's root does show in the capture")
     CHECK(countDifferent(*view.captured->one().colour, *frame) == 0);
 }
 
-// Breaks where Capture::resize takes the scale of the first water.
+// Breaks where the plan takes the scale of the first water.
 TEST_CASE("the most demanding water sets the capture's size, whichever the view meets first")
 {
     HarbourView view;
@@ -236,7 +236,7 @@ TEST_CASE("a capture at half size is the frame of a view of half the size")
     CHECK(countDifferent(*view.captured->one().colour, *small) == 0);
 }
 
-// Breaks where Capture::require does not ask whether it was arranged already.
+// Breaks where WaterView::isEnrolling is always false.
 TEST_CASE("however many waters a view sees, the scene is culled and drawn once more")
 {
     HarbourView view;
@@ -293,7 +293,7 @@ TEST_CASE("water that no view sees costs nothing")
     CHECK(view.captured->images.empty());
 }
 
-// Breaks where the capture is traced with the view's projection (in Capture::require
+// Breaks where the capture is traced with the view's projection (in CapturedScene::fitTo
 // _clipFromEye = fromOsg(*view.getProjectionMatrix())).
 TEST_CASE("near and far of the capture are fitted to the scene, however far the water reaches")
 {
@@ -359,7 +359,7 @@ TEST_CASE("background is no hit, though the far plane lies just behind the last 
     CHECK(last <= std::ceil(80.0 - 1.5 / 10.5 * pixelsAtOneMetre));
 }
 
-// Breaks where Capture::resize does not call resizeAttachments, or CaptureVisitor::cull does not
+// Breaks where Capture::allocate does not call resizeAttachments, or CaptureVisitor::cull does not
 // push _stageState.
 TEST_CASE("the capture follows the view's viewport from frame to frame")
 {
@@ -395,7 +395,7 @@ TEST_CASE("the capture follows the view's viewport from frame to frame")
     }
 }
 
-// Breaks where Capture::serves does not ask for the viewport's size.
+// Breaks where ViewRecord::serves does not ask for the viewport's size.
 TEST_CASE("an empty viewport draws no capture and raises no error")
 {
     const osg::ref_ptr<osg::Group> root =
@@ -410,7 +410,7 @@ TEST_CASE("an empty viewport draws no capture and raises no error")
     }
 }
 
-// Breaks where Capture::resize does not take the camera's colour format.
+// Breaks where Capture::allocate does not take the camera's colour format.
 TEST_CASE("colours above 1 are reflected as they are, where the frame can hold them")
 {
     HarbourView view;
@@ -435,7 +435,7 @@ TEST_CASE("colours above 1 are reflected as they are, where the frame can hold t
     CHECK(reflected.b() == Approx(0.25));
 }
 
-// Breaks where Capture::serves refuses a camera that has samples.
+// Breaks where ViewRecord::serves refuses a camera that has samples.
 TEST_CASE("a multisampled frame reflects as a plain one does, but for its edges")
 {
     const osg::ref_ptr<WaterSurface> lake = scenes::createLake();

@@ -118,7 +118,7 @@ TEST_CASE("after CompileShaders no variant of the water is compiled at its first
     }
 }
 
-// Breaks where SheetPass::setWater sets a new program in each frame.
+// Breaks where KeptProgram::set sets a new program in each frame.
 TEST_CASE("without CompileShaders a variant is compiled at its first draw, and once")
 {
     OffscreenView view(32, 24);

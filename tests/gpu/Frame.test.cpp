@@ -135,7 +135,7 @@ osg::ref_ptr<osg::Image> readColour(OffscreenView& view, osg::Texture2D& texture
 
 // Of 8 bits: 0 to 2 of 19,200 pixels differ by more than one step, by up to 9, where a ray passes
 // an edge: the frame's near and far planes are fitted to the water, too, so its depths round
-// another way. Breaks where FrameCopy does not carry the depths over, or Capture::require leaves
+// another way. Breaks where FrameCopy does not carry the depths over, or CopiedCapture::take leaves
 // the band out of the copy's place.
 TEST_CASE("a copied frame is reflected as a scene drawn anew is")
 {
@@ -220,7 +220,7 @@ TEST_CASE("a copied frame is traced at a fraction of the resolution after its co
     CHECK(countDifferent(*picture(CaptureKind::FRAME), *drawn, ROUNDING) <= 20);
 }
 
-// Breaks where Capture::cull does not call keepBand().
+// Breaks where CopiedCapture::drawBand does not call keepBeyondView().
 TEST_CASE("a scene whose frame is copied is drawn once")
 {
     FrameView view;
@@ -276,7 +276,7 @@ TEST_CASE("a scene whose frame is copied is drawn once")
     }
 }
 
-// Breaks where Capture::isCopyAskedFor does not refuse for those that ask for a drawn capture.
+// Breaks where the plan does not draw for those that ask for a drawn capture.
 TEST_CASE("a water that asks for a capture drawn anew has it, and the others of its view share it")
 {
     FrameView view;
@@ -339,7 +339,7 @@ TEST_CASE("a frame in a frame buffer object is reflected from its copy")
     CHECK(different <= (samples ? WIDTH * HEIGHT / 20 : 4));
 }
 
-// Breaks where Capture::releaseGLObjects leaves the copy out.
+// Breaks where CopiedCapture::releaseGLObjects leaves the copy out.
 TEST_CASE("a copied frame holds nothing once released, and follows its view's size")
 {
     FrameView view;

@@ -58,8 +58,8 @@ osg::ref_ptr<osg::Texture2D> createDepth(GLint internalFormat)
 
 } // namespace
 
-// Breaks where FrameImages::copy leaves the viewport's offset out, where Interlude lets the scene's
-// state reach the copy, or where require() reads the projection before OSG has fitted it.
+// Breaks where FrameImages::copy leaves the viewport's offset out, where RenderStateGuard lets the
+// scene's state reach the copy, or where require() reads the projection before OSG has fitted it.
 TEST_CASE("a copied frame is what has been drawn before the water")
 {
     CopiedView view;
@@ -129,8 +129,8 @@ TEST_CASE("a copied frame is what has been drawn before the water")
     }
 }
 
-// Breaks where FrameImages::copy does not resolve, or where Interlude does not apply its empty
-// stack: the scissor stays.
+// Breaks where FrameImages::copy does not resolve, or where RenderStateGuard does not apply its
+// empty stack: the scissor stays.
 TEST_CASE("the samples of a frame buffer object are resolved into its copy")
 {
     const osg::ref_ptr<osg::Node> harbour = scenes::createHarbour();

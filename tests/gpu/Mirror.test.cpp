@@ -125,8 +125,8 @@ struct PondView : OffscreenView
 
 } // namespace
 
-// Breaks with FIRST_COLUMN 1 (SheetPass::setSearched), without a floor (Capture::cutOff), with the
-// image not turned left for right in clipFromEye (mirroredEye).
+// Breaks with MIRRORED false (CaptureBinding::bind), without a floor (MirroredCapture::draw), with
+// the image not turned left for right in clipFromEye (mirroredEye).
 TEST_CASE("calm water shows all that the mirrored eye sees in the mirrored capture", "[mirror]")
 {
     MirrorView rolled = pitched(4.0, 25.0);
@@ -200,7 +200,7 @@ TEST_CASE("undersides of what hangs over the water are seen in the mirrored capt
     CHECK(countColour(view.render(scene), RED) == 0);
 }
 
-// Breaks where ViewRecord takes one mirrored capture for all planes, or one for each sheet.
+// Breaks where the plan has one mirrored image for all planes, or one for each sheet.
 TEST_CASE("each plane of water has one mirrored capture, which all of its sheets share", "[mirror]")
 {
     double now = 0.0;
@@ -429,7 +429,7 @@ TEST_CASE("culled back faces, billboards and levels of detail are right in the m
     }
 }
 
-// Breaks without the floor (Capture::cutOff), or with one that waves do not lower.
+// Breaks without the floor (MirroredCapture::draw), or with one that waves do not lower.
 TEST_CASE("nothing under the water is in the mirrored image, but what waves may lay bare",
           "[mirror]")
 {
@@ -586,7 +586,7 @@ TEST_CASE("in the mirrored capture the hierarchical search finds what the sequen
             }
 }
 
-// Breaks where ViewRecord::release leaves out its captures.
+// Breaks where WaterView::forEachGLObjects leaves out its captures.
 TEST_CASE("mirrored captures are released with their water, resized with the view, and come back",
           "[mirror]")
 {

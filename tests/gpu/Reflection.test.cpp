@@ -66,7 +66,7 @@ TEST_CASE("calm water shows what the mirrored eye sees")
         }
 }
 
-// Breaks with: the plane's frame left out of normalEyeFromSurface (SheetPass.cpp).
+// Breaks with: the plane's frame left out of normalEyeFromSurface (WaterDraw.cpp).
 TEST_CASE("tilted calm water shows what the eye mirrored in it sees")
 {
     for (double degrees : {-6.0, 6.0})

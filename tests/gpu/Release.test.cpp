@@ -83,7 +83,7 @@ TEST_CASE("released water holds nothing of OpenGL's, and draws the same again")
 }
 
 // A paged tile that expires releases its water while other water is still drawn.
-// Breaks where ViewRecord::release does not ask whether another water is in use.
+// Breaks where WaterView::release does not ask whether another water is in use.
 TEST_CASE("releasing one water leaves the others the capture that they share")
 {
     HarbourView view;
@@ -199,7 +199,7 @@ TEST_CASE("water traced in a smaller image leaves nothing behind when it goes")
     CHECK_FALSE(sky.valid());
 }
 
-// Breaks where captureFor does not remove the captures of dead cameras, or dropSheetsGone the
+// Breaks where waterView does not remove the views of dead cameras, or letGo the
 // passes of dead waters.
 TEST_CASE("nothing piles up where waters and cameras that render to textures come and go")
 {

@@ -150,7 +150,7 @@ void showNegative(CopyFrame& copy)
 
 } // namespace
 
-// Breaks where Interlude does not push the StateSets again.
+// Breaks where RenderStateGuard does not push the StateSets again.
 TEST_CASE("a frame goes on after its copy as if nothing had happened")
 {
     CopiedView view;
@@ -264,7 +264,7 @@ public:
 
 } // namespace
 
-// Breaks where Interlude forgets anything.
+// Breaks where RenderStateGuard forgets anything.
 TEST_CASE("a copy leaves OpenGL as it was")
 {
     CopiedView view;
@@ -297,7 +297,7 @@ TEST_CASE("a copy leaves OpenGL as it was")
     compare->inner = nullptr;
 }
 
-// Breaks where Interlude does not bind the framebuffer again.
+// Breaks where RenderStateGuard does not bind the framebuffer again.
 TEST_CASE("a frame in a multisampled frame buffer object goes on after its copy")
 {
     CopiedView view;

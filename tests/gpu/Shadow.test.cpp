@@ -138,7 +138,7 @@ TEST_CASE("a shadowed scene is captured with its shadows")
     }
 }
 
-// Breaks where Capture::serves does not ask for the camera's attachments.
+// Breaks where ViewRecord::serves does not ask for the camera's attachments.
 TEST_CASE("shadow maps show no water, and no capture is made for them")
 {
     const std::string name =
@@ -159,7 +159,7 @@ TEST_CASE("shadow maps show no water, and no capture is made for them")
     CHECK(view.captured->images.size() == 1);
 }
 
-// Breaks (hangs) where Capture::require culls with the view's own CullVisitor.
+// Breaks (hangs) where CapturedScene::cull culls with the view's own CullVisitor.
 // A known limit: this technique fits its map to what it met in the view's cull, and meets the
 // capture's in between. Its frame stays right where no water is; its capture has shadows that are
 // a little off.
@@ -182,8 +182,8 @@ TEST_CASE("light space perspective shadow maps neither crash nor hang beside wat
     CHECK(different < 160 * 120 / 10);
 }
 
-// What a second cull does not give, the frame itself has. Breaks where WaterFinder does not know
-// the technique.
+// What a second cull does not give, the frame itself has. Breaks where unsteadyShadowsOf does not
+// know the technique.
 TEST_CASE("a frame with light space perspective shadow maps is reflected with its own shadows")
 {
     SunView view;

@@ -260,7 +260,7 @@ TEST_CASE("without a dome the clear colour is the sky, wherever the ray goes")
 
 // Leaves on a card: blended, without depth. Rays are followed through depth alone, so the card
 // itself is not hit; but its colour is part of whatever lies behind it in the picture.
-// Breaks where SheetPass draws water in a bin after 10.
+// Breaks where WaterDraw draws water in a bin after 10.
 TEST_CASE("what is blended is drawn over the water, and is no obstacle to reflected rays")
 {
     SkyView view;

@@ -256,7 +256,7 @@ TEST_CASE("views of any size, and moved in the window, show nearly what the full
     }
 }
 
-// Breaks where ViewRecord keeps one LowResTrace for all cameras.
+// Breaks where one WaterView serves for all cameras.
 TEST_CASE("a second, smaller view takes nothing from the first")
 {
     HarbourView first;
@@ -272,7 +272,7 @@ TEST_CASE("a second, smaller view takes nothing from the first")
     CHECK(second.found() != first.found());
 }
 
-// Breaks where the pass does not begin anew in each frame (LowResTrace::draw).
+// Breaks where the pass does not begin anew in each frame (LowResTrace).
 TEST_CASE("a scale of 1 has no image of its own, before and after another scale")
 {
     HarbourView view;
@@ -288,7 +288,7 @@ TEST_CASE("a scale of 1 has no image of its own, before and after another scale"
     CHECK(captured->stages == stages);
 }
 
-// Breaks with: the pass left out of ViewRecord::releaseGLObjects.
+// Breaks with: the pass left out of WaterView::forEachGLObjects.
 TEST_CASE("released water keeps no image of traces, and draws the same again")
 {
     HarbourView view;
@@ -302,7 +302,7 @@ TEST_CASE("released water keeps no image of traces, and draws the same again")
     CHECK(countDifferent(*view.show(0.5), *before) == 0);
 }
 
-// Breaks with: the image sized by the last water (LowResTrace::draw).
+// Breaks with: the image sized by the last water (LowResTrace).
 TEST_CASE("several waters share the image, and the largest scale below 1 sizes it")
 {
     HarbourView view;
@@ -325,7 +325,7 @@ TEST_CASE("several waters share the image, and the largest scale below 1 sizes i
 
 // Lakes at two levels have a mirrored eye each. The upper is met last, and what it captures is not
 // there yet where the lower has begun the image of the traces.
-// Breaks with: the pass left where its first sheet has put it (LowResTrace::arrange).
+// Breaks with: the pass left where its first sheet has put it (LowResTrace::draw).
 TEST_CASE("several mirrored eyes are all captured before a fraction is traced")
 {
     HarbourView view;
@@ -380,7 +380,7 @@ TEST_CASE("a fraction says which of two captures shows a hit")
 
 // Over a lake lies a higher pond, split by gaps a pixel wide. The pond's rays meet a board in the
 // air; those of the lake, 3 m lower, pass under it to the sky.
-// Breaks where all sheets have the same number (LowResTrace::draw).
+// Breaks where all sheets have the same number (LowResTrace).
 TEST_CASE("water seen through gaps of other water meets nothing that only that other meets")
 {
     OffscreenView view(320, 240, OffscreenView::Format::RGBA32F);

@@ -19,7 +19,7 @@ const int HEIGHT = HarbourWindow::HEIGHT;
 
 } // namespace
 
-// Breaks where ViewRecord::passFor does not ask for the serial number.
+// Breaks where WaterView::drawFor does not ask for the serial number.
 TEST_CASE("one water under two transforms is drawn at both places")
 {
     HarbourWindow view;
@@ -45,7 +45,7 @@ TEST_CASE("one water under two transforms is drawn at both places")
     CHECK(countDifferent(*one, *expected) > 100);
 }
 
-// Breaks where Capture::require makes the projection symmetric ((*projection)(2, 0) = 0).
+// Breaks where CapturedScene::fitTo makes the projection symmetric ((*projection)(2, 0) = 0).
 TEST_CASE("the capture is the frame without water in orthographic and off-axis views, too")
 {
     OffscreenView view(WIDTH, HEIGHT, OffscreenView::Format::RGBA32F);
@@ -65,8 +65,8 @@ TEST_CASE("the capture is the frame without water in orthographic and off-axis v
     CHECK(countDifferent(*captured->one().colour, *frame) == 0);
 }
 
-// Breaks where SheetPass takes a pixel's extent from clipFromEye[0][0] alone, without its sign, or
-// eyePointOf divides by it (Transforms.h).
+// Breaks where Capture::pixelExtent takes a pixel's extent from clipFromEye[0][0] alone, without
+// its sign, or eyePointOf divides by it (Transforms.h).
 TEST_CASE("a projection that turns the picture shows the same water, turned")
 {
     const osg::ref_ptr<osg::Group> scene = scenes::together(
@@ -134,7 +134,7 @@ TEST_CASE("unevenly scaled water is the water that its corners make")
     CHECK(countDifferent(view.render(scenes::together({boxes, scaled})), *expected, 0.01) <= 20);
 }
 
-// Breaks where SheetPass::draw multiplies matrices of world space in single precision.
+// Breaks where WaterDraw::prepare multiplies matrices of world space in single precision.
 TEST_CASE("turned, scaled, mirrored, or at the earth's surface, a scene looks as at the origin")
 {
     const osg::ref_ptr<WaterSurface> lake = scenes::createLake();

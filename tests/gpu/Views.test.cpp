@@ -40,8 +40,7 @@ struct SharedView
 
 } // namespace
 
-// Breaks where one capture a frame serves all views (ViewRecord::of, captureFor and
-// Capture::require).
+// Breaks where one capture a frame serves all views (ViewRecord::of, ViewRecord::waterView).
 TEST_CASE("two views of one scene each show what they show alone")
 {
     const osg::ref_ptr<osg::Group> scene =

@@ -21,7 +21,7 @@ struct Capture
 {
     sampler2D colour;     // the frame's colour, any format
     sampler2D windowZ;    // in [0, 1]; 1 where nothing was drawn
-    sampler2D cells;      // its pyramid (pyramid/Pyramid.h)
+    sampler2D cells;      // its nearest depths in cells (images/DepthCells.h)
     sampler2D sky;        // what it shows of the sky, above things (images/SkyImage.h)
     vec2 size;            // [pixels]
     mat4 imageFromEye;    // from the view's eye space, wherever the capture's own eye is, to clip w
@@ -47,7 +47,7 @@ uniform vec2 osgwr_captureFarGap;        // 1 - windowZ in the capture is x + y 
 #define frameFromCapture osgwr_frameFromCapture
 #define captureFarGap osgwr_captureFarGap
 
-// A capture's pyramid, and what the passes read that build it (pyramid/Pyramid.h).
+// A capture's cells, and what the passes read that compute them (images/DepthCells.h).
 #define CELL 4          // [pixels] side of the smallest cells
 #define CELLS_MERGED 8  // side of a larger cell, in cells of the level below
 uniform sampler2D osgwr_pyramidSource;
@@ -76,7 +76,7 @@ uniform vec4 osgwr_windowZFromOblique;   // times (x, y [pixels], oblique window
 #define obliqueWindowZ osgwr_obliqueWindowZ
 #define windowZFromOblique osgwr_windowZFromOblique
 
-// The rays traced in an image smaller than the view (trace/TracePass.h), with TRACE_SAMPLED.
+// The rays traced in an image smaller than the view (water/LowResTrace.h), with TRACE_SAMPLED.
 uniform sampler2D osgwr_tracedRays;      // each texel a TracedRay, coded (trace_texel.glsl)
 uniform vec4 osgwr_tracedFromWindow;     // its texels = xy * gl_FragCoord.xy + zw
 uniform float osgwr_sheetNumber;         // tells the view's sheets of water apart, from 1

@@ -1,4 +1,4 @@
-// How a texel of the small image (trace/TracePass.h) holds what came of its ray.
+// How a texel of the small image (water/LowResTrace.h) holds what came of its ray.
 
 struct TracedRay
 {
