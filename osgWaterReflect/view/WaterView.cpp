@@ -302,10 +302,8 @@ void WaterView::letGo()
         [&](auto& held)
         {
             if (held.released || now - held.lastUsed <= HOLD_TIME) return;
-            held.capture->releaseGLObjects(nullptr);
-            held.cells->releaseGLObjects(nullptr);
-            held.sky->releaseGLObjects(nullptr);
-            held.released = true;
+            // Let go of, not released: its programs are shared with what stays.
+            held = {};
         });
 }
 

@@ -21,16 +21,15 @@ namespace osgWaterReflect
 {
 
 /// The water of one view. Its cull enrols each sheet that it meets; when that cull is over, the
-/// plan is made and carried out. All that outlives a frame is held here: captures, whose images are
-/// released HOLD_TIME after their last use, and what draws each sheet, as long as the sheet lives.
+/// plan is made and carried out. All that outlives a frame is held here: captures, for HOLD_TIME
+/// after their last use, and what draws each sheet, as long as the sheet lives.
 ///
 /// Only the thread of the view's cull draws; any thread may release.
 class WaterView : public osg::Referenced
 {
 public:
-    /// [s] The images of a capture that is not used are kept for so long: at a threshold the choice
-    /// may come and go, and textures are not to come and go with it. The capture itself stays, for
-    /// shadow techniques remember each visitor that they have met.
+    /// [s] A capture that is not used is kept for so long: at a threshold the choice may come and
+    /// go, and textures are not to come and go with it.
     static constexpr double HOLD_TIME = 3.0;
 
     ///   sceneCamera  below which the scene is; see CulledView
@@ -68,11 +67,11 @@ private:
     template <typename Kind>
     struct HeldCapture
     {
-        osg::ref_ptr<Kind> capture; // null until it is used first
+        osg::ref_ptr<Kind> capture; // null: none is held
         osg::ref_ptr<DepthCells> cells;
         osg::ref_ptr<SkyImage> sky;
         double lastUsed = 0.0; // [s]
-        bool released = true;  // its images, since then
+        bool released = true;  // none is held
     };
 
     struct HeldDraw
