@@ -1,9 +1,8 @@
 #include <osgWaterReflect/TrochoidalWaves>
 
 #include "Check.h"
-#include "shaders/Bindings.h"
 #include "shaders/ShaderSource.h"
-#include "waves/TrochoidalSum.h"
+#include "waves/TrochoidalState.h"
 
 #include <osg/Math>
 
@@ -14,32 +13,6 @@ using namespace osgWaterReflect;
 
 namespace
 {
-
-// Uniforms of waves_trochoidal.glsl.
-const char* const WAVE_TERMS = "osgwr_waveTerms";
-const char* const WAVE_TERM_COUNT = "osgwr_waveTermCount";
-const char* const WAVE_NEWTON_STEPS = "osgwr_waveNewtonSteps";
-const char* const WAVE_REACH = "osgwr_waveReach";
-const char* const WAVE_RISE = "osgwr_waveRise";
-
-double steepnessSum(const std::vector<TrochoidalWave>& waves)
-{
-    double sum = 0.0;
-    for (const TrochoidalWave& wave : waves)
-        sum += waveNumber(wave) * wave.amplitude;
-    return sum;
-}
-
-// Newton steps of the shader, by steepness sum: with so many its height errs by less than 1 % of
-// the sum of amplitudes and its normal by less than half a degree, but for one place in a thousand
-// (docs/waves.md has the table).
-int newtonSteps(double steepness)
-{
-    if (steepness <= 0.25) return 1;
-    if (steepness <= 0.6) return 2;
-    if (steepness <= 0.9) return 3;
-    return steepness <= 0.99 ? 4 : 8;
-}
 
 // How far a sine of amplitude 1 strays from chords over an angle [rad]: twice the mean square. It
 // is the integral of |exp(i s angle) - (1 - s) - s exp(i angle)|^2 over s from 0 to 1, s being the
@@ -121,18 +94,9 @@ double TrochoidalWaves::getSteepness() const
     return steepnessSum(_waves);
 }
 
-double TrochoidalWaves::getHeight(const osg::Vec2d& place, double time) const
+osg::ref_ptr<const WaveState> TrochoidalWaves::createState(double time) const
 {
-    return TrochoidalSum(_waves, place, time).findParticle().height;
-}
-
-osg::Vec3d TrochoidalWaves::getNormal(const osg::Vec2d& place, double time) const
-{
-    const TrochoidalParticle particle = TrochoidalSum(_waves, place, time).findParticle();
-    const osg::Vec2d slope = particle.solve(particle.gradient);
-    osg::Vec3d normal(-slope.x(), -slope.y(), 1.0);
-    normal.normalize();
-    return normal;
+    return new TrochoidalState(_waves, time);
 }
 
 double TrochoidalWaves::getAmplitude() const
@@ -192,23 +156,4 @@ const ShaderPiece* TrochoidalWaves::getShaderPiece() const
 {
     static const osg::ref_ptr<const ShaderPiece> piece = libraryPiece("waves_trochoidal.glsl");
     return piece;
-}
-
-void TrochoidalWaves::apply(osg::StateSet& stateSet, const osg::Vec2d& anchor, double time) const
-{
-    osg::Uniform* array =
-        stateSet.getOrCreateUniform(WAVE_TERMS, osg::Uniform::FLOAT_VEC4, MAX_WAVES);
-    double reach = 0.0;
-    for (unsigned int i = 0; i < _waves.size(); ++i)
-    {
-        const TrochoidalWave& wave = _waves[i];
-        const osg::Vec2d k = waveDirection(wave) * waveNumber(wave);
-        array->setElement(i, osg::Vec4(k.x(), k.y(), wave.amplitude / waveNumber(wave),
-                                       wavePhase(wave, anchor, time)));
-        reach += wave.amplitude;
-    }
-    bindings::set(stateSet, WAVE_TERM_COUNT, static_cast<int>(_waves.size()));
-    bindings::set(stateSet, WAVE_NEWTON_STEPS, newtonSteps(getSteepness()));
-    bindings::set(stateSet, WAVE_REACH, static_cast<float>(reach));
-    bindings::set(stateSet, WAVE_RISE, static_cast<float>(meanSink(_waves)));
 }

@@ -1,64 +1,41 @@
 #include <osgWaterReflect/WaterSurface>
 
 #include "Check.h"
+#include "Transforms.h"
 #include "capture/CaptureVisitor.h"
+#include "dynamics/WaterDynamics.h"
+#include "surface/OutlineGeometry.h"
 #include "surface/StillWater.h"
 #include "view/StatusBoard.h"
 #include "view/ViewRecord.h"
 
 #include <osg/Geometry>
-#include <osg/io_utils>
-#include <osgUtil/Tessellator>
+#include <osg/Notify>
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 
 using namespace osgWaterReflect;
 
 namespace
 {
 
-bool isFinite(const osg::Vec3& v)
+WaterSurface* createWater(osg::Geometry* shape)
 {
-    return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
+    osg::ref_ptr<WaterSurface> water = new WaterSurface;
+    water->addDrawable(shape);
+    return water.release();
 }
 
-// [1] Of the squared size: an area below this is rounding of corners in single precision.
-const double NO_AREA = 1e-7;
-
-// Twice the area that an outline encloses, along its normal [Newell].
-osg::Vec3d areaVector(const WaterSurface::Outline& outline)
+void sayNoSheet(const WaterSurface& water)
 {
-    osg::Vec3d area;
-    const osg::Vec3d origin(outline.front());
-    for (std::size_t i = 1; i + 1 < outline.size(); ++i)
-        area += (osg::Vec3d(outline[i]) - origin) ^ (osg::Vec3d(outline[i + 1]) - origin);
-    return area;
-}
-
-bool checkOutline(const WaterSurface::Outline& outline)
-{
-    const char* member = "WaterSurface::createPolygon";
-    if (outline.size() < 3) return refuse(member, "at least 3 corners", outline.size());
-    for (const osg::Vec3& corner : outline)
-        if (!isFinite(corner)) return refuse(member, "finite corners", corner);
-    double squaredSize = 0.0;
-    for (const osg::Vec3& corner : outline)
-        squaredSize =
-            std::max(squaredSize, (osg::Vec3d(corner) - osg::Vec3d(outline.front())).length2());
-    const double area = 0.5 * areaVector(outline).length();
-    return area > NO_AREA * squaredSize || refuse(member, "an outline with an area", area);
-}
-
-// It is never drawn itself: nothing is to be compiled for it.
-osg::ref_ptr<osg::Geometry> createGeometry(osg::Vec3Array* vertices)
-{
-    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
-    geometry->setUseDisplayList(false);
-    geometry->setUseVertexBufferObjects(false);
-    geometry->setVertexArray(vertices);
-    return geometry;
+    static std::once_flag said;
+    std::call_once(said,
+                   [&]
+                   {
+                       refuse("WaterSurface::getSurfaceFromWorld", "a drawable with an area",
+                              "none in \"" + water.getName() + "\"; it is taken to lie at z = 0");
+                   });
 }
 
 bool expectDrawable(const char* member, const osg::Node* child)
@@ -70,17 +47,19 @@ bool expectDrawable(const char* member, const osg::Node* child)
 } // namespace
 
 WaterSurface::WaterSurface() :
-    _waveBounds(std::make_shared<WaveBounds>()), _status(std::make_shared<StatusBoard>())
+    _waveBounds(std::make_shared<WaveBounds>()), _dynamics(std::make_unique<WaterDynamics>()),
+    _status(std::make_shared<StatusBoard>())
 {
 }
 
 WaterSurface::WaterSurface(const WaterSurface& rhs, const osg::CopyOp& copyop) :
     osg::Geode(rhs, copyop), _reflection(rhs._reflection), _viewSettings(rhs._viewSettings),
-    _optics(rhs._optics), _detail(rhs._detail),
-    _waves(static_cast<WaveModel*>(copyop(static_cast<osg::Object*>(rhs._waves.get())))),
-    _waveBounds(rhs._waveBounds), _sky(static_cast<osg::TextureCubeMap*>(copyop(rhs._sky.get()))),
-    _debugView(rhs._debugView), _status(std::make_shared<StatusBoard>())
+    _optics(rhs._optics), _detail(rhs._detail), _waveBounds(rhs._waveBounds),
+    _dynamics(std::make_unique<WaterDynamics>()),
+    _sky(static_cast<osg::TextureCubeMap*>(copyop(rhs._sky.get()))), _debugView(rhs._debugView),
+    _status(std::make_shared<StatusBoard>())
 {
+    takeWaves(static_cast<WaveModel*>(copyop(static_cast<osg::Object*>(rhs._waves.get()))));
 }
 
 WaterSurface::~WaterSurface() = default;
@@ -88,68 +67,16 @@ WaterSurface::~WaterSurface() = default;
 WaterSurface* WaterSurface::createRectangle(const osg::Vec3& centre, const osg::Vec3& lengthVec,
                                             const osg::Vec3& widthVec)
 {
-    const char* member = "WaterSurface::createRectangle";
-    for (const osg::Vec3& v : {centre, lengthVec, widthVec})
-        if (!isFinite(v))
-        {
-            refuse(member, "finite vectors", v);
-            return nullptr;
-        }
-    const osg::Vec3d length(lengthVec);
-    const osg::Vec3d width(widthVec);
-    const double area = (length ^ width).length();
-    if (!(area > NO_AREA * length.length() * width.length()))
-    {
-        refuse(member, "sides that span an area", area);
-        return nullptr;
-    }
-
-    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
-    const osg::Vec3 corner = centre - (lengthVec + widthVec) * 0.5f;
-    vertices->push_back(corner);
-    vertices->push_back(corner + lengthVec);
-    vertices->push_back(corner + lengthVec + widthVec);
-    vertices->push_back(corner + widthVec);
-    osg::ref_ptr<osg::Geometry> geometry = createGeometry(vertices);
-    geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_FAN, 0, 4));
-
-    osg::ref_ptr<WaterSurface> water = new WaterSurface;
-    water->addDrawable(geometry);
-    return water.release();
+    const osg::ref_ptr<osg::Geometry> rectangle =
+        createRectangleGeometry("WaterSurface::createRectangle", centre, lengthVec, widthVec);
+    return rectangle ? createWater(rectangle) : nullptr;
 }
 
 WaterSurface* WaterSurface::createPolygon(const Outline& outline, const std::vector<Outline>& holes)
 {
-    if (!checkOutline(outline)) return nullptr;
-    for (const Outline& hole : holes)
-        if (!checkOutline(hole)) return nullptr;
-
-    // The outline's own way round decides only where the plane is vertical.
-    osg::Vec3d normal = areaVector(outline);
-    if (normal.z() < -1e-6 * normal.length()) normal = -normal;
-    normal.normalize();
-
-    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
-    osg::ref_ptr<osg::Geometry> geometry = createGeometry(vertices);
-    const auto addContour = [&](const Outline& contour)
-    {
-        geometry->addPrimitiveSet(
-            new osg::DrawArrays(GL_POLYGON, vertices->size(), contour.size()));
-        vertices->insert(vertices->end(), contour.begin(), contour.end());
-    };
-    addContour(outline);
-    for (const Outline& hole : holes)
-        addContour(hole);
-
-    osg::ref_ptr<osgUtil::Tessellator> tessellator = new osgUtil::Tessellator;
-    tessellator->setTessellationType(osgUtil::Tessellator::TESS_TYPE_GEOMETRY);
-    tessellator->setWindingType(osgUtil::Tessellator::TESS_WINDING_ODD);
-    tessellator->setTessellationNormal(normal);
-    tessellator->retessellatePolygons(*geometry);
-
-    osg::ref_ptr<WaterSurface> water = new WaterSurface;
-    water->addDrawable(geometry);
-    return water.release();
+    const osg::ref_ptr<osg::Geometry> polygon =
+        createPolygonGeometry("WaterSurface::createPolygon", outline, holes);
+    return polygon ? createWater(polygon) : nullptr;
 }
 
 bool WaterSurface::addChild(osg::Node* child)
@@ -202,11 +129,22 @@ bool WaterSurface::setDetail(const SurfaceDetail& detail)
     return true;
 }
 
+// Only waves ask for the update traversal.
+void WaterSurface::takeWaves(WaveModel* waves)
+{
+    if (waves && !_waves)
+        setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
+    if (!waves && _waves)
+        setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() - 1);
+    _waves = waves;
+    _dynamics->setWaves(waves);
+}
+
 // The bound is computed at once: so whatever changes a drawable afterwards is told of it anew, and
 // its sheets are not taken for those of before.
 void WaterSurface::setWaves(WaveModel* waves)
 {
-    _waves = waves;
+    takeWaves(waves);
     _waveBounds = std::make_shared<WaveBounds>(waves);
     _onlyWavesChange = _boundingSphereComputed;
     dirtyBound();
@@ -247,8 +185,78 @@ std::shared_ptr<const WaterSurface::Sheets> WaterSurface::sheets() const
     return sheets ? sheets : none;
 }
 
+// Of a point in world space.
+struct WaterSurface::WorldPlace
+{
+    glm::dmat4 worldFromSurface{1.0};
+    osg::Vec2d place; // in surface space
+};
+
+WaterSurface::WorldPlace WaterSurface::placeUnder(const osg::Vec3d& worldPoint) const
+{
+    WorldPlace under;
+    const osg::MatrixList worlds = getWorldMatrices();
+    if (!worlds.empty()) under.worldFromSurface = fromOsg(worlds.front());
+    const glm::dvec4 point(fromOsg(worldPoint), 1.0);
+    const glm::dvec3 localPoint = glm::inverse(under.worldFromSurface) * point;
+
+    getBound(); // the sheets are as of the last bound
+    const std::shared_ptr<const Sheets> all = sheets();
+    const StillWater* nearest = nullptr;
+    double least = 0.0; // [local units^2]
+    for (const osg::ref_ptr<StillWater>& sheet : *all)
+    {
+        const double distance = all->size() == 1 ? 0.0 : sheet->squaredDistance(localPoint);
+        if (nearest && distance >= least) continue;
+        nearest = sheet;
+        least = distance;
+    }
+    if (nearest)
+        under.worldFromSurface = under.worldFromSurface * nearest->localFromSurface();
+    else
+        sayNoSheet(*this);
+    const glm::dvec3 surfacePoint = glm::inverse(under.worldFromSurface) * point;
+    under.place.set(surfacePoint.x, surfacePoint.y);
+    return under;
+}
+
+osg::Matrixd WaterSurface::getSurfaceFromWorld(const osg::Vec3d& worldPoint) const
+{
+    return toOsg(glm::inverse(placeUnder(worldPoint).worldFromSurface));
+}
+
+osg::Vec3d WaterSurface::getSurfacePoint(const osg::Vec3d& worldPoint, double time) const
+{
+    const WorldPlace under = placeUnder(worldPoint);
+    const osg::ref_ptr<const WaveState> waves = _dynamics->at(time);
+    const double height = waves ? waves->getHeight(under.place) : 0.0;
+    const glm::dvec4 surfacePoint(under.place.x(), under.place.y(), height, 1.0);
+    return toOsg(glm::dvec3(under.worldFromSurface * surfacePoint));
+}
+
+// A scale that is not the same in all directions lays the normal over, and the height with it.
+double WaterSurface::getHeight(const osg::Vec3d& worldPoint, double time) const
+{
+    const WorldPlace under = placeUnder(worldPoint);
+    const osg::ref_ptr<const WaveState> waves = _dynamics->at(time);
+    if (!waves) return 0.0;
+    const glm::dvec3 stillNormal = glm::normalize(normalMatrix(under.worldFromSurface)[2]);
+    return waves->getHeight(under.place) *
+           glm::dot(stillNormal, glm::dvec3(under.worldFromSurface[2]));
+}
+
+osg::Vec3d WaterSurface::getNormal(const osg::Vec3d& worldPoint, double time) const
+{
+    const WorldPlace under = placeUnder(worldPoint);
+    const osg::ref_ptr<const WaveState> waves = _dynamics->at(time);
+    const osg::Vec3d normal = waves ? waves->getNormal(under.place) : osg::Vec3d(0.0, 0.0, 1.0);
+    return toOsg(glm::normalize(normalMatrix(under.worldFromSurface) * fromOsg(normal)));
+}
+
 void WaterSurface::traverse(osg::NodeVisitor& visitor)
 {
+    if (visitor.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR)
+        _dynamics->advance(visitor.getFrameStamp());
     osgUtil::CullVisitor* view = visitor.asCullVisitor();
     if (!view)
     {
@@ -258,6 +266,7 @@ void WaterSurface::traverse(osg::NodeVisitor& visitor)
     if (dynamic_cast<CaptureVisitor*>(view) || !ViewRecord::serves(*view)) return;
 
     getBound(); // the sheets are as of the last bound
+    const osg::ref_ptr<const WaveState> waves = _dynamics->advance(view->getFrameStamp());
     ViewRecord* record = nullptr;
     const std::shared_ptr<const Sheets> all = sheets();
     for (std::size_t i = 0; i < all->size(); ++i)
@@ -266,7 +275,7 @@ void WaterSurface::traverse(osg::NodeVisitor& visitor)
         if (view->isCulled(sheet.localBound(_waveBounds->amplitude))) continue;
         if (!record) remember(*(record = &ViewRecord::of(*view)));
         record->waterView(*view).enrol(
-            *view, {this, &sheet, static_cast<unsigned int>(i), _waveBounds, _status});
+            *view, {this, &sheet, static_cast<unsigned int>(i), waves, _waveBounds, _status});
     }
 }
 

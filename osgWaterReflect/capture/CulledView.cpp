@@ -91,7 +91,6 @@ void CulledView::note(osgUtil::CullVisitor& view)
     }
     fittedProjection = view.getProjectionMatrix();
     clipFromEye = fromOsg(*fittedProjection);
-    time = view.getFrameStamp() ? view.getFrameStamp()->getSimulationTime() : 0.0;
     frameNumber = view.getTraversalNumber();
 }
 

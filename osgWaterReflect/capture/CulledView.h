@@ -33,7 +33,6 @@ struct CulledView
     osg::ref_ptr<osg::Viewport> viewport;
     osg::Matrixd eyeFromWorld;    ///< for row vectors
     glm::dmat4 clipFromEye{1.0};  ///< near and far not yet fitted to what the view draws
-    double time = 0.0;            ///< [s] of simulation
     unsigned int frameNumber = 0; ///< the traversal's
 
     /// The view's own projection: when its cull is over, near and far have been fitted.

@@ -10,6 +10,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <tuple>
 
@@ -180,6 +181,31 @@ void StillWater::createCalmMesh()
     for (const glm::dvec2& corner : _corners)
         vertices->push_back(osg::Vec3(corner.x - _calmAnchor.x, corner.y - _calmAnchor.y, 0.0f));
     indices->assign(_triangles.begin(), _triangles.end());
+}
+
+double StillWater::squaredDistance(const glm::dvec3& localPoint) const
+{
+    // The frame is rigid.
+    const glm::dvec3 surfacePoint = glm::inverse(_localFromSurface) * glm::dvec4(localPoint, 1.0);
+    const glm::dvec2 place(surfacePoint);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < _triangles.size(); i += 3)
+    {
+        int insides = 0; // edges that have the place to their left, less those to their right
+        for (int edge = 0; edge < 3; ++edge)
+        {
+            const glm::dvec2 start = _corners[_triangles[i + edge]];
+            const glm::dvec2 along = _corners[_triangles[i + (edge + 1) % 3]] - start;
+            const glm::dvec2 offset = place - start;
+            insides += along.x * offset.y - along.y * offset.x >= 0.0 ? 1 : -1;
+            const double length2 = glm::dot(along, along);
+            const double part = std::clamp(glm::dot(offset, along) / length2, 0.0, 1.0);
+            const glm::dvec2 toEdge = offset - part * along;
+            nearest = std::min(nearest, glm::dot(toEdge, toEdge));
+        }
+        if (std::abs(insides) == 3) nearest = 0.0;
+    }
+    return nearest + surfacePoint.z * surfacePoint.z;
 }
 
 osg::BoundingBox StillWater::localBound(double amplitude) const

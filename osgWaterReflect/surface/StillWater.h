@@ -38,6 +38,9 @@ public:
     /// The corners' convex hull, counter-clockwise.
     const std::vector<glm::dvec2>& hull() const { return _hull; }
 
+    /// Squared distance [local units] of a local point from the still water.
+    double squaredDistance(const glm::dvec3& localPoint) const;
+
     /// Local bounds of the water when waves of an amplitude [local units] move it.
     osg::BoundingBox localBound(double amplitude) const;
 

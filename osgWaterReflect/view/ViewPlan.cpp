@@ -61,7 +61,7 @@ private:
         for (std::size_t i = 0; i < _facts.sheets.size(); ++i)
         {
             if (!isAutomatic(i)) continue;
-            scene.calm = scene.calm && _facts.sheets[i].waves->calm();
+            scene.calm = scene.calm && _facts.sheets[i].bounds->calm();
             if (scene.planes > 1) continue; // how many more does not matter
             const CaptureEye eye = mirrorOf(i);
             if (scene.planes == 0 || !serveTogether(plane, eye)) ++scene.planes;
@@ -112,7 +112,7 @@ private:
         ReflectingSheet sheet;
         sheet.hull = &visible.sheet->hull();
         sheet.eyeFromSurface = visible.eyeFromSurface;
-        sheet.amplitude = visible.waves->amplitude;
+        sheet.amplitude = visible.bounds->amplitude;
         sheet.maxSlope = maxSlope;
         sheet.side = visible.eyeAbove ? 1.0 : -1.0;
         return reflectedExtent(sheet, _facts.clipFromEye);
@@ -164,7 +164,7 @@ private:
             }
             const bool asks = GuardBandRequest::asksForReach(settings) ||
                               GuardBandRequest::asksForReach(settled(i));
-            const WaveBounds& waves = *visible.waves;
+            const WaveBounds& waves = *visible.bounds;
             const NdcExtent rays = asks ? reach(visible, waves.maxSlope) : NdcExtent();
             given.add(settings, rays);
             beforeSaving.add(settled(i), rays);
@@ -204,7 +204,7 @@ private:
         for (std::size_t i = 0; i < _plan.sheets.size(); ++i)
         {
             ViewPlan::Sheet& sheet = _plan.sheets[i];
-            _plan.amplitude = std::max(_plan.amplitude, _facts.sheets[i].waves->amplitude);
+            _plan.amplitude = std::max(_plan.amplitude, _facts.sheets[i].bounds->amplitude);
             const CaptureKind kind = sheet.settings.capture;
             if (kind != CaptureKind::MIRROR && kind != CaptureKind::VIEW_AND_MIRROR) continue;
             const CaptureEye eye = mirrorOf(i);

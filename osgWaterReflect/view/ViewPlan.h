@@ -64,6 +64,8 @@ struct ViewPlan
 /// What a plan is made from.
 struct ViewFacts
 {
+    explicit ViewFacts(const std::vector<VisibleSheet>& visible) : sheets(visible) {}
+
     const std::vector<VisibleSheet>& sheets;
     glm::dmat4 clipFromEye{1.0};
     glm::ivec2 viewportSize{0};

@@ -114,9 +114,8 @@ void WaterView::enrol(osgUtil::CullVisitor& view, const EnrolledSheet& enrolled)
     static_cast<EnrolledSheet&>(visible) = enrolled;
     visible.eyeFromSurface =
         fromOsg(*view.getModelViewMatrix()) * enrolled.sheet->localFromSurface();
-    visible.eyeAbove =
-        isEyeAbove(visible.eyeFromSurface, _view.clipFromEye, enrolled.water->getWaves(),
-                   enrolled.waves->amplitude, _view.time);
+    visible.eyeAbove = isEyeAbove(visible.eyeFromSurface, _view.clipFromEye, enrolled.waves.get(),
+                                  enrolled.bounds->amplitude);
     visible.draw = drawFor(*enrolled.water, *enrolled.sheet);
     visible.draw->enrol(view, visible);
     _visible.push_back(visible);

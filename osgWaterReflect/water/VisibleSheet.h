@@ -21,9 +21,10 @@ struct EnrolledSheet
 {
     osg::ref_ptr<const WaterSurface> water;
     osg::ref_ptr<const StillWater> sheet;
-    unsigned int number = 0; ///< of the sheet in the water
-    std::shared_ptr<const WaveBounds> waves;
-    std::shared_ptr<StatusBoard> status; ///< where the view says what it did
+    unsigned int number = 0;                  ///< of the sheet in the water
+    osg::ref_ptr<const WaveState> waves;      ///< in this frame; null for calm water
+    std::shared_ptr<const WaveBounds> bounds; ///< of the waves, at all times
+    std::shared_ptr<StatusBoard> status;      ///< where the view says what it did
 };
 
 /// A sheet of water that a view sees in this frame, as its cull has met it.

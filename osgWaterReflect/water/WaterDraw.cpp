@@ -42,14 +42,14 @@ WaterDraw::WaterDraw() :
 void WaterDraw::enrol(osgUtil::CullVisitor& view, const VisibleSheet& visible)
 {
     _mesh = visible.sheet->calmMesh();
-    if (visible.water->getWaves())
+    if (visible.waves)
     {
         if (!_waveMesh) _waveMesh = new WaveMesh;
         _mesh = _waveMesh->geometry();
     }
     // An object of its own: osg::State skips a matrix that it has loaded last.
     _eyeFromMesh = new osg::RefMatrix;
-    const osg::BoundingBox bound = visible.sheet->localBound(visible.waves->amplitude);
+    const osg::BoundingBox bound = visible.sheet->localBound(visible.bounds->amplitude);
     view.updateCalculatedNearFar(*view.getModelViewMatrix(), bound);
     view.pushStateSet(_stateSet.get());
     view.pushStateSet(_effects.stateSet());
@@ -86,18 +86,17 @@ void WaterDraw::prepare(const CulledView& view, const VisibleSheet& visible,
 
 glm::dvec2 WaterDraw::prepareMesh(const CulledView& view, const VisibleSheet& visible)
 {
-    const WaveModel* const waves = visible.water->getWaves();
-    if (!waves) return visible.sheet->calmAnchor();
+    if (!visible.waves) return visible.sheet->calmAnchor();
 
     SheetView sheetView;
     sheetView.eyeFromSurface = visible.eyeFromSurface;
     sheetView.clipFromEye = view.clipFromEye;
     sheetView.viewportWidth = view.viewport->width();
     sheetView.viewportHeight = view.viewport->height();
-    sheetView.waves = *visible.waves;
+    sheetView.waves = *visible.bounds;
     _waveMesh->update(*visible.sheet, sheetView, visible.water->getDetail());
     const glm::dvec2& anchor = _waveMesh->anchor();
-    waves->apply(*_stateSet, osg::Vec2d(anchor.x, anchor.y), view.time);
+    visible.waves->apply(*_stateSet, osg::Vec2d(anchor.x, anchor.y));
     return anchor;
 }
 

@@ -1,46 +1,8 @@
 #include "TrochoidalSum.h"
 
-#include <osg/Math>
-
-#include <algorithm>
 #include <cmath>
 
 using namespace osgWaterReflect;
-
-namespace
-{
-
-const double GRAVITY = 9.80665; // [m/s^2] standard gravity [ISO80000 4-12]
-
-} // namespace
-
-double osgWaterReflect::waveNumber(const TrochoidalWave& wave)
-{
-    return 2.0 * osg::PI / wave.length;
-}
-
-osg::Vec2d osgWaterReflect::waveDirection(const TrochoidalWave& wave)
-{
-    const double angle = osg::DegreesToRadians(std::fmod(wave.directionDegrees, 360.0));
-    return osg::Vec2d(std::cos(angle), std::sin(angle));
-}
-
-double osgWaterReflect::wavePhase(const TrochoidalWave& wave, const osg::Vec2d& place, double time)
-{
-    const double turn = 2.0 * osg::PI;
-    const double k = waveNumber(wave);
-    const double frequency = std::sqrt(GRAVITY * k); // deep water
-    const double travelled = std::fmod(k * (waveDirection(wave) * place), turn);
-    return std::fmod(travelled - std::fmod(frequency * time, turn) + wave.phase, turn);
-}
-
-double osgWaterReflect::meanSink(const std::vector<TrochoidalWave>& waves)
-{
-    double sum = 0.0;
-    for (const TrochoidalWave& wave : waves)
-        sum += 0.5 * waveNumber(wave) * wave.amplitude * wave.amplitude;
-    return sum;
-}
 
 osg::Vec2d TrochoidalParticle::solve(const osg::Vec2d& b) const
 {
@@ -48,17 +10,15 @@ osg::Vec2d TrochoidalParticle::solve(const osg::Vec2d& b) const
     return osg::Vec2d(yy * b.x() - xy * b.y(), xx * b.y() - xy * b.x()) / determinant;
 }
 
-TrochoidalSum::TrochoidalSum(const std::vector<TrochoidalWave>& waves, const osg::Vec2d& place,
-                             double time) :
-    _rise(meanSink(waves))
+TrochoidalSum::TrochoidalSum(const TrochoidalState& state, const osg::Vec2d& place) :
+    _rise(state.rise())
 {
-    _terms.reserve(waves.size());
-    for (const TrochoidalWave& wave : waves)
+    _terms.reserve(state.terms().size());
+    for (const TrochoidalTerm& term : state.terms())
     {
-        const double k = waveNumber(wave);
-        _terms.push_back({waveDirection(wave) * k, wave.amplitude, wave.amplitude / k,
-                          wavePhase(wave, place, time)});
-        _reach += wave.amplitude;
+        _terms.push_back({term.direction * term.number, term.amplitude,
+                          term.amplitude / term.number, term.phaseAt(place)});
+        _reach += term.amplitude;
     }
 }
 

@@ -1,9 +1,7 @@
 #ifndef OSGWATERREFLECT_WAVES_TROCHOIDALSUM_H
 #define OSGWATERREFLECT_WAVES_TROCHOIDALSUM_H
 
-#include <osgWaterReflect/TrochoidalWaves>
-
-#include <osg/Vec2d>
+#include "TrochoidalState.h"
 
 #include <vector>
 
@@ -24,12 +22,11 @@ struct TrochoidalParticle
     osg::Vec2d solve(const osg::Vec2d& b) const;
 };
 
-/// A sum of trochoidal waves about one place at one time. Phases are reduced in double precision
-/// there, so that what follows does not depend on how far away or how late that is.
+/// A sum of trochoidal waves about one place at one time.
 class TrochoidalSum
 {
 public:
-    TrochoidalSum(const std::vector<TrochoidalWave>& waves, const osg::Vec2d& place, double time);
+    TrochoidalSum(const TrochoidalState& state, const osg::Vec2d& place);
 
     /// The particle that rests at an offset [m] from the place.
     TrochoidalParticle particleAt(const osg::Vec2d& rest) const;
@@ -58,18 +55,6 @@ private:
     double _rise = 0.0;
     double _reach = 0.0;
 };
-
-/// Wave number [rad/m] and unit direction of a wave.
-double waveNumber(const TrochoidalWave& wave);
-osg::Vec2d waveDirection(const TrochoidalWave& wave);
-
-/// Phase [rad] of a wave at a place [m] and time [s], reduced in double precision to less than two
-/// turns either way.
-double wavePhase(const TrochoidalWave& wave, const osg::Vec2d& place, double time);
-
-/// How much the mean height of the bare sum sinks [m]: particles under a crest are closer together
-/// than under a trough. Half the sum of k a^2.
-double meanSink(const std::vector<TrochoidalWave>& waves);
 
 } // namespace osgWaterReflect
 

@@ -28,7 +28,7 @@ TEST_CASE("harness waves have the same normals in GLSL, at height 0")
     REQUIRE(waves->setWaves({{{0.8, 0.6}, 3.0, 0.0, 1.0}, {{-0.4, 0.9}, 5.0, 1.0, 0.6}}, 0.15));
     for (const osg::Vec2d& anchor : {osg::Vec2d(0, 0), osg::Vec2d(48000.3, -7.7)})
     {
-        waves->apply(probe.stateSet(), anchor, 0.0);
+        waves->createState(0.0)->apply(probe.stateSet(), anchor);
         std::vector<osg::Vec4> places, footprints;
         for (int i = 0; i < 500; ++i)
         {

@@ -273,7 +273,7 @@ TEST_CASE("harness waves hand the shader the same slope about any anchor")
     for (const osg::Vec2d& anchor : PLACES)
     {
         const osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
-        waves->apply(*stateSet, anchor, 0.0);
+        waves->createState(0.0)->apply(*stateSet, anchor);
         int count = 0;
         REQUIRE(stateSet->getUniform("bench_waveCount"));
         REQUIRE(stateSet->getUniform("bench_waves"));

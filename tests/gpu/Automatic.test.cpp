@@ -293,7 +293,7 @@ TEST_CASE("water tells what its last frame did, and why not more")
     REQUIRE(status[0].images.size() == 1);
     CHECK(status[0].images[0].kind == CaptureKind::MIRROR);
     CHECK(status[0].images[0].width == 160);
-    CHECK(status[0].passes == view.captured->stages);
+    CHECK(status[0].passes == static_cast<int>(view.captured->stages));
     CHECK(status[0].program.find("water.frag") != std::string::npos);
 
     view.lake->setWaves(TrochoidalWaves::createBreeze(2.0, 0.05));
@@ -305,7 +305,7 @@ TEST_CASE("water tells what its last frame did, and why not more")
     CHECK(status[0].images[0].kind == CaptureKind::VIEW);
     CHECK(status[0].images[0].height > 120);
     CHECK(status[0].images[1].kind == CaptureKind::MIRROR);
-    CHECK(status[0].passes == view.captured->stages);
+    CHECK(status[0].passes == static_cast<int>(view.captured->stages));
     std::ostringstream text;
     text << status[0];
     CHECK(text.str().find("drawn from the mirrored eye, 160 x 120") != std::string::npos);

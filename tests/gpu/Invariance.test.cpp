@@ -85,7 +85,7 @@ TEST_CASE("the picture rolls with the camera")
         }
 }
 
-// Falls where wavePhase adds the time in single precision.
+// Falls where TrochoidalTerm takes the time in single precision.
 TEST_CASE("waves come back after whole periods")
 {
     const double length = 2.0;

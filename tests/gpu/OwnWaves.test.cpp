@@ -1,6 +1,7 @@
 // Waves that are not the library's own: what docs/extending.md shows, and what must not harm.
 
 #include "support/Catch.h"
+#include "support/FlatState.h"
 #include "support/OffscreenView.h"
 #include "support/Refusals.h"
 #include "support/Scenes.h"
@@ -31,14 +32,15 @@ public:
     }
     META_Object(test, PieceOnly)
 
-    double getHeight(const osg::Vec2d&, double) const override { return 0.0; }
-    osg::Vec3d getNormal(const osg::Vec2d&, double) const override { return osg::Vec3d(0, 0, 1); }
+    osg::ref_ptr<const osgWaterReflect::WaveState> createState(double) const override
+    {
+        return new FlatState;
+    }
     double getAmplitude() const override { return 0.0; }
     double getMaxSlope() const override { return 0.0; }
     double getShortestLength() const override { return 1.0; }
     double getChordError(double) const override { return 0.0; }
     const ShaderPiece* getShaderPiece() const override { return _piece; }
-    void apply(osg::StateSet&, const osg::Vec2d&, double) const override {}
 
 protected:
     ~PieceOnly() override = default;
@@ -85,7 +87,7 @@ TEST_CASE("the documented wave model is the same on both sides")
     const osg::Vec2d anchor(1234.5, -77.0);
     for (const double time : {0.0, 0.4, 7.0})
     {
-        waves->apply(probe.stateSet(), anchor, time);
+        waves->createState(time)->apply(probe.stateSet(), anchor);
         const std::vector<osg::Vec4> answers = probe.run(places);
         double highest = 0.0;
         for (std::size_t i = 0; i < places.size(); ++i)

@@ -86,7 +86,7 @@ Errors measure(const TrochoidalWaves& waves, int steps, const osg::Vec2d& anchor
                double distance = 30.0)
 {
     ShaderProbe& probe = waveProbe();
-    waves.apply(probe.stateSet(), anchor, time);
+    waves.createState(time)->apply(probe.stateSet(), anchor);
     if (steps > 0) bindings::set(probe.stateSet(), "osgwr_waveNewtonSteps", steps);
 
     std::mt19937 random(11);
@@ -174,7 +174,8 @@ TEST_CASE("waves at their limits have unit normals and finite heights everywhere
         const osg::ref_ptr<TrochoidalWaves> waves = new TrochoidalWaves;
         if (!waves->setWaves(list)) continue; // rounded up to 1
         const double time = i % 3 ? std::pow(10.0, uniform(0.0, 9.0)) : 0.0;
-        waves->apply(probe.stateSet(), osg::Vec2d(uniform(-1e7, 1e7), uniform(-1e7, 1e7)), time);
+        waves->createState(time)->apply(probe.stateSet(),
+                                        osg::Vec2d(uniform(-1e7, 1e7), uniform(-1e7, 1e7)));
 
         // About the length of one of them, for it is there that crests are met, and anywhere.
         const double reach = i % 2 ? 2.0 * list.front().length : anyLength();
@@ -226,7 +227,7 @@ TEST_CASE("the normal is the average over a Gaussian pixel, half a pixel wide")
     const double steepness = 1e-3;
     osg::ref_ptr<TrochoidalWaves> waves = wavesOf({steepWave(steepness, length, 0.0)});
     ShaderProbe& probe = waveProbe();
-    waves->apply(probe.stateSet(), osg::Vec2d(), 0.0);
+    waves->createState(0.0)->apply(probe.stateSet(), osg::Vec2d());
 
     std::mt19937 random(12);
     std::uniform_real_distribution<double> anywhere(-1.0, 1.0);
@@ -276,7 +277,7 @@ TEST_CASE("the means of pixels and what they average away have the covariance of
     ShaderProbe mean(body + "    return vec4(slope.mean, 0.0, 0.0);\n}\n", waveSlot(*waves));
     ShaderProbe averaged(body + "    return vec4(slope.covariance, 0.0);\n}\n", waveSlot(*waves));
     for (ShaderProbe* probe : {&mean, &averaged})
-        waves->apply(probe->stateSet(), osg::Vec2d(), 0.0);
+        waves->createState(0.0)->apply(probe->stateSet(), osg::Vec2d());
 
     std::mt19937 random(13);
     std::uniform_real_distribution<float> anywhere(-300.0f, 300.0f);

@@ -41,7 +41,8 @@ def faulted(mutant, tree):
 
 def run_test(binaries, mutant, environment=None):
     """Whether the test fails."""
-    command = [binaries / mutant.program, mutant.test, "--abort"]
+    # Catch2 takes a comma for the end of a name.
+    command = [binaries / mutant.program, mutant.test.replace(",", "\\,"), "--abort"]
     try:
         done = subprocess.run(
             command, env={**os.environ, **(environment or {})}, timeout=PATIENCE,

@@ -14,17 +14,9 @@ public:
     StandingWave(const StandingWave& rhs, const osg::CopyOp& copyop) : WaveModel(rhs, copyop) {}
     META_Object(example, StandingWave)
 
-    double getHeight(const osg::Vec2d& place, double time) const override
+    osg::ref_ptr<const osgWaterReflect::WaveState> createState(double time) const override
     {
-        return heightNow(time) * std::cos(WAVE_NUMBER * place.x());
-    }
-
-    osg::Vec3d getNormal(const osg::Vec2d& place, double time) const override
-    {
-        const double slope = -WAVE_NUMBER * heightNow(time) * std::sin(WAVE_NUMBER * place.x());
-        osg::Vec3d normal(-slope, 0.0, 1.0);
-        normal.normalize();
-        return normal;
+        return new State(time);
     }
 
     double getAmplitude() const override { return AMPLITUDE; }
@@ -68,13 +60,6 @@ WaveSlope waveSlope(vec2 p, vec2 dPdx, vec2 dPdy)
         return piece;
     }
 
-    void apply(osg::StateSet& stateSet, const osg::Vec2d& anchor, double time) const override
-    {
-        const double phase = std::fmod(WAVE_NUMBER * anchor.x(), 2.0 * osg::PI);
-        stateSet.getOrCreateUniform("example_wave", osg::Uniform::FLOAT_VEC3)
-            ->set(osg::Vec3(WAVE_NUMBER, phase, heightNow(time)));
-    }
-
 protected:
     ~StandingWave() override = default;
 
@@ -83,11 +68,39 @@ private:
     static constexpr double LENGTH = 3.0;    // [m]
     static constexpr double WAVE_NUMBER = 2.0 * M_PI / LENGTH;
 
-    // Of a crest, in deep water.
-    static double heightNow(double time)
+    /// The wave at one time.
+    class State : public osgWaterReflect::WaveState
     {
-        return AMPLITUDE * std::cos(std::sqrt(9.80665 * WAVE_NUMBER) * time);
-    }
+    public:
+        /// A crest's height in deep water.
+        explicit State(double time) :
+            _height(AMPLITUDE * std::cos(std::sqrt(9.80665 * WAVE_NUMBER) * time))
+        {
+        }
+
+        double getHeight(const osg::Vec2d& place) const override
+        {
+            return _height * std::cos(WAVE_NUMBER * place.x());
+        }
+
+        osg::Vec3d getNormal(const osg::Vec2d& place) const override
+        {
+            const double slope = -WAVE_NUMBER * _height * std::sin(WAVE_NUMBER * place.x());
+            osg::Vec3d normal(-slope, 0.0, 1.0);
+            normal.normalize();
+            return normal;
+        }
+
+        void apply(osg::StateSet& stateSet, const osg::Vec2d& anchor) const override
+        {
+            const double phase = std::fmod(WAVE_NUMBER * anchor.x(), 2.0 * osg::PI);
+            stateSet.getOrCreateUniform("example_wave", osg::Uniform::FLOAT_VEC3)
+                ->set(osg::Vec3(WAVE_NUMBER, phase, _height));
+        }
+
+    private:
+        const double _height; // [m] of a crest now
+    };
 };
 
 #endif

@@ -1,6 +1,7 @@
 // The table of how far waves stray from straight edges.
 
 #include "support/Catch.h"
+#include "support/FlatState.h"
 
 #include <osgWaterReflect/TrochoidalWaves>
 #include <osgWaterReflect/surface/ChordErrors.h>
@@ -21,13 +22,14 @@ public:
     UnknownWaves(const UnknownWaves& rhs, const osg::CopyOp& copyop) : WaveModel(rhs, copyop) {}
     META_Object(test, UnknownWaves)
 
-    double getHeight(const osg::Vec2d&, double) const override { return 0.0; }
-    osg::Vec3d getNormal(const osg::Vec2d&, double) const override { return osg::Vec3d(0, 0, 1); }
+    osg::ref_ptr<const osgWaterReflect::WaveState> createState(double) const override
+    {
+        return new FlatState;
+    }
     double getAmplitude() const override { return 1.0; }
     double getMaxSlope() const override { return 1.0; }
     double getShortestLength() const override { return 1.0; }
     const ShaderPiece* getShaderPiece() const override { return nullptr; }
-    void apply(osg::StateSet&, const osg::Vec2d&, double) const override {}
 
 protected:
     ~UnknownWaves() override = default;

@@ -45,7 +45,7 @@ struct PlannedView
         VisibleSheet sheet;
         sheet.water = water;
         sheet.sheet = StillWater::createSheets(*water->getDrawable(0)).front();
-        sheet.waves = std::make_shared<WaveBounds>(water->getWaves());
+        sheet.bounds = std::make_shared<WaveBounds>(water->getWaves());
         sheet.eyeFromSurface = eyeFromWorld * sheet.sheet->localFromSurface();
         sheets.push_back(sheet);
         return *water;
@@ -172,6 +172,17 @@ TEST_CASE("what is given up for time decides about no mirrored image")
         CHECK(view.plan.accuracyStep <= view.step);
     }
     CHECK_FALSE(decision(view.plan, "all the accuracy asked for").done);
+
+    // A water that gives up nothing, beside one whose band serves it.
+    PlannedView both(15.0);
+    set(both.add(0.0, 0.05), &ViewSettings::maxExtraPixels, 0.25);
+    REQUIRE(both.kind() == CaptureKind::VIEW_AND_MIRROR);
+    WaterSurface& other = both.add(0.0, 0.05);
+    set(other, &ViewSettings::maxExtraPixels, 3.0);
+    REQUIRE(both.kind() == CaptureKind::VIEW);
+    set(other, &ViewSettings::frameTimeTarget, 10.0);
+    for (both.step = 0; both.step < 7; ++both.step)
+        CHECK(both.kind() == CaptureKind::VIEW);
 }
 
 // Breaks where a frame that shows another view is copied.

@@ -76,7 +76,7 @@ TEST_CASE("the particle found at a place is there, whatever the place, time and 
             for (int i = 0; i < 300; ++i)
             {
                 const osg::Vec2d place(anywhere(random), anywhere(random));
-                const TrochoidalSum sum(waves, place, anytime(random));
+                const TrochoidalSum sum(TrochoidalState(waves, anytime(random)), place);
                 int steps = 0;
                 const TrochoidalParticle found = sum.findParticle(&steps);
                 // Followed back to its rest place and looked at again, it is the same particle.
@@ -99,7 +99,7 @@ TEST_CASE("the particle found at a place is there, whatever the place, time and 
     for (double x = 1.0; x > 1e-16; x *= 0.3)
         for (double sign : {-1.0, 1.0})
         {
-            const TrochoidalSum sum(sharp, osg::Vec2d(sign * x, 0.0), 0.0);
+            const TrochoidalSum sum(TrochoidalState(sharp, 0.0), osg::Vec2d(sign * x, 0.0));
             int steps = 0;
             const TrochoidalParticle found = sum.findParticle(&steps);
             INFO("place " << sign * x << ", " << steps << " steps");
@@ -194,7 +194,7 @@ TEST_CASE("moving water neither rises nor sinks as a whole")
     CHECK(std::abs(total / 1000.0) < 1e-9);
 }
 
-// Falls when wavePhase's frequency loses its square root.
+// Falls when TrochoidalTerm's frequency loses its square root.
 TEST_CASE("a wave travels at the speed of deep water waves of its length")
 {
     for (double length : {0.2, 2.0, 100.0})
@@ -215,7 +215,7 @@ TEST_CASE("a wave travels at the speed of deep water waves of its length")
     }
 }
 
-// Falls when wavePhase adds before it reduces (std::fmod of the whole sum), and by far when it is
+// Falls when phaseAt adds before it reduces (std::fmod of the whole sum), and by far when it is
 // evaluated in single precision.
 TEST_CASE("after a whole number of periods a wave is where it was, far away and very late")
 {
@@ -244,7 +244,7 @@ TEST_CASE("after a whole number of periods a wave is where it was, far away and 
             }
 }
 
-// Falls when wavePhase reduces `frequency * time` by half a turn.
+// Falls when TrochoidalTerm reduces `frequency * time` by half a turn.
 TEST_CASE("the surface moves without jumps")
 {
     osg::ref_ptr<TrochoidalWaves> waves = TrochoidalWaves::createBreeze(3.0, 0.5);

@@ -33,7 +33,8 @@ class WavesEye
 {
 public:
     WavesEye(const DrawnWater& drawn, const ExactWaves& waves) :
-        _waves(waves), _surfaceFromEye(glm::inverse(waves.eyeFromSurface)),
+        _waves(waves), _state(waves.model.createState(waves.time)),
+        _surfaceFromEye(glm::inverse(waves.eyeFromSurface)),
         _normalEyeFromSurface(osgWaterReflect::normalMatrix(waves.eyeFromSurface)),
         _side(glm::dot(_normalEyeFromSurface[2], drawn.stillNormalEye) < 0.0 ? -1.0 : 1.0)
     {
@@ -48,14 +49,14 @@ public:
     double off(const glm::dvec3& pointEye) const
     {
         const glm::dvec3 p = surfaceFromEye(glm::dvec4(pointEye, 1.0));
-        return _side * (p.z - _waves.model.getHeight(osg::Vec2d(p.x, p.y), _waves.time));
+        return _side * (p.z - _state->getHeight(osg::Vec2d(p.x, p.y)));
     }
 
     // Unit normal on the eye's side.
     glm::dvec3 normal(const glm::dvec3& pointEye) const
     {
         const glm::dvec3 p = surfaceFromEye(glm::dvec4(pointEye, 1.0));
-        const osg::Vec3d normal = _waves.model.getNormal(osg::Vec2d(p.x, p.y), _waves.time);
+        const osg::Vec3d normal = _state->getNormal(osg::Vec2d(p.x, p.y));
         return _side * glm::normalize(_normalEyeFromSurface * osgWaterReflect::fromOsg(normal));
     }
 
@@ -74,6 +75,7 @@ public:
 
 private:
     const ExactWaves& _waves;
+    const osg::ref_ptr<const osgWaterReflect::WaveState> _state;
     glm::dmat4 _surfaceFromEye;
     glm::dmat3 _normalEyeFromSurface;
     double _side; // 1 where the eye is above the still water, else -1

@@ -49,6 +49,43 @@ bool check(const HarnessWave& wave)
 
 } // namespace
 
+// They do not move: one state is that of all times.
+class HarnessWaves::State : public osgWaterReflect::WaveState
+{
+public:
+    State(const std::vector<HarnessWave>& waves, double slope) : _waves(waves), _slope(slope) {}
+
+    double getHeight(const osg::Vec2d&) const override { return 0.0; }
+
+    osg::Vec3d getNormal(const osg::Vec2d& place) const override
+    {
+        osg::Vec2d slope;
+        for (const HarnessWave& wave : _waves)
+            slope += wave.direction * (_slope * wave.weight * std::cos(phaseAt(wave, place)));
+        osg::Vec3d normal(-slope.x(), -slope.y(), 1.0);
+        normal.normalize();
+        return normal;
+    }
+
+    void apply(osg::StateSet& stateSet, const osg::Vec2d& anchor) const override
+    {
+        osg::Uniform* array =
+            stateSet.getOrCreateUniform(WAVES, osg::Uniform::FLOAT_VEC4, MAX_WAVES);
+        for (unsigned int i = 0; i < _waves.size(); ++i)
+        {
+            const HarnessWave& wave = _waves[i];
+            const osg::Vec2d k = waveVector(wave);
+            array->setElement(i, osg::Vec4(k.x(), k.y(), _slope * wave.weight / wave.waveNumber,
+                                           phaseAt(wave, anchor)));
+        }
+        osgWaterReflect::bindings::set(stateSet, WAVE_COUNT, static_cast<int>(_waves.size()));
+    }
+
+private:
+    const std::vector<HarnessWave> _waves;
+    const double _slope;
+};
+
 HarnessWaves::HarnessWaves(const HarnessWaves& rhs, const osg::CopyOp& copyop) :
     osgWaterReflect::WaveModel(rhs, copyop), _waves(rhs._waves), _slope(rhs._slope)
 {
@@ -81,16 +118,6 @@ osg::Vec3d HarnessWaves::getSlopeCovariance(double length) const
     return sum * (_slope * _slope);
 }
 
-osg::Vec3d HarnessWaves::getNormal(const osg::Vec2d& place, double) const
-{
-    osg::Vec2d slope;
-    for (const HarnessWave& wave : _waves)
-        slope += wave.direction * (_slope * wave.weight * std::cos(phaseAt(wave, place)));
-    osg::Vec3d normal(-slope.x(), -slope.y(), 1.0);
-    normal.normalize();
-    return normal;
-}
-
 // A length is convex in each cosine, so that it is largest where all are 1 or -1.
 double HarnessWaves::getMaxSlope() const
 {
@@ -110,22 +137,14 @@ double HarnessWaves::getShortestLength() const
     return std::numeric_limits<double>::infinity();
 }
 
+osg::ref_ptr<const osgWaterReflect::WaveState> HarnessWaves::createState(double) const
+{
+    return new State(_waves, _slope);
+}
+
 const osgWaterReflect::ShaderPiece* HarnessWaves::getShaderPiece() const
 {
     static const osg::ref_ptr<const osgWaterReflect::ShaderPiece> piece =
         new osgWaterReflect::ShaderPiece(SHADER, benchShaders.at(SHADER));
     return piece;
-}
-
-void HarnessWaves::apply(osg::StateSet& stateSet, const osg::Vec2d& anchor, double) const
-{
-    osg::Uniform* array = stateSet.getOrCreateUniform(WAVES, osg::Uniform::FLOAT_VEC4, MAX_WAVES);
-    for (unsigned int i = 0; i < _waves.size(); ++i)
-    {
-        const HarnessWave& wave = _waves[i];
-        const osg::Vec2d k = waveVector(wave);
-        array->setElement(i, osg::Vec4(k.x(), k.y(), _slope * wave.weight / wave.waveNumber,
-                                       phaseAt(wave, anchor)));
-    }
-    osgWaterReflect::bindings::set(stateSet, WAVE_COUNT, static_cast<int>(_waves.size()));
 }

@@ -37,8 +37,7 @@ public:
     ///   slope  [1] finite, >= 0; multiplies every wave
     bool setWaves(const std::vector<HarnessWave>& waves, double slope);
 
-    double getHeight(const osg::Vec2d&, double) const override { return 0.0; }
-    osg::Vec3d getNormal(const osg::Vec2d& place, double time) const override;
+    osg::ref_ptr<const osgWaterReflect::WaveState> createState(double time) const override;
     double getAmplitude() const override { return 0.0; }
     /// The largest sum of the waves' slopes, each as steep as it gets to one side or the other: the
     /// least bound where no wave vector is a sum of multiples of others.
@@ -48,12 +47,13 @@ public:
     double getShortestLength() const override;
     double getChordError(double) const override { return 0.0; }
     const osgWaterReflect::ShaderPiece* getShaderPiece() const override;
-    void apply(osg::StateSet& stateSet, const osg::Vec2d& anchor, double time) const override;
 
 protected:
     ~HarnessWaves() override = default;
 
 private:
+    class State;
+
     std::vector<HarnessWave> _waves;
     double _slope = 0.0;
 };
