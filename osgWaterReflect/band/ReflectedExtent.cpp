@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 
 #include <cmath>
+#include <utility>
 
 using namespace osgWaterReflect;
 
@@ -26,88 +27,70 @@ glm::dvec3 imagePoint(const glm::dvec4& clip)
     return {clip.x, clip.y, clip.w};
 }
 
-// The part of a polygon where dot(plane, corner) >= 0.
-Polygon clipped(const Polygon& polygon, const glm::dvec3& plane)
-{
-    Polygon inside;
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-    {
-        const glm::dvec3& a = polygon[i];
-        const glm::dvec3& b = polygon[(i + 1) % polygon.size()];
-        const double atA = glm::dot(plane, a);
-        const double atB = glm::dot(plane, b);
-        if (atA >= 0.0) inside.push_back(a);
-        if (atA * atB < 0.0) inside.push_back(glm::mix(a, b, atA / (atA - atB)));
-    }
-    return inside;
-}
-
-void appendSeen(std::vector<glm::dvec2>& places, Polygon polygon)
-{
-    for (const glm::dvec3& side :
-         {glm::dvec3(1, 0, 1), glm::dvec3(-1, 0, 1), glm::dvec3(0, 1, 1), glm::dvec3(0, -1, 1)})
-        polygon = clipped(polygon, side);
-    for (const glm::dvec3& corner : polygon)
-        if (corner.z > 0.0) // not the eye itself
-            places.push_back(glm::clamp(glm::dvec2(corner) / corner.z, -1.0, 1.0));
-}
-
 // Outline [ndc] of what the view sees of the space that waves move a sheet in.
-std::vector<glm::dvec2> seenOutline(const ReflectingSheet& sheet, const glm::dmat4& clipFromEye)
+class SeenOutline
 {
-    const glm::dmat4 clipFromSurface = clipFromEye * sheet.eyeFromSurface;
-    const glm::dvec3 rise = imagePoint(sheet.amplitude * clipFromSurface[2]);
-    Polygon crests, troughs;
-    for (const glm::dvec2& corner : *sheet.hull)
+public:
+    SeenOutline(const ReflectingSheet& sheet, const glm::dmat4& clipFromEye)
     {
-        const glm::dvec3 still = imagePoint(clipFromSurface * glm::dvec4(corner, 0.0, 1.0));
-        crests.push_back(still + rise);
-        troughs.push_back(still - rise);
+        const glm::dmat4 clipFromSurface = clipFromEye * sheet.eyeFromSurface;
+        const glm::dvec3 rise = imagePoint(sheet.amplitude * clipFromSurface[2]);
+        Polygon still;
+        still.reserve(sheet.hull->size());
+        for (const glm::dvec2& corner : *sheet.hull)
+            still.push_back(imagePoint(clipFromSurface * glm::dvec4(corner, 0.0, 1.0)));
+        addMoved(still, rise);
+        if (sheet.amplitude == 0.0) return;
+        addMoved(still, -rise);
+        for (std::size_t i = 0, last = still.size() - 1; i < still.size(); last = i++)
+        {
+            _polygon.assign(
+                {still[last] + rise, still[i] + rise, still[i] - rise, still[last] - rise});
+            addSeen();
+        }
     }
 
-    std::vector<glm::dvec2> places;
-    appendSeen(places, crests);
-    if (sheet.amplitude > 0.0)
+    std::vector<glm::dvec2> hull() { return convexHull(std::move(_places)); }
+
+private:
+    void addMoved(const Polygon& still, const glm::dvec3& by)
     {
-        appendSeen(places, troughs);
-        for (std::size_t i = 0, last = crests.size() - 1; i < crests.size(); last = i++)
-            appendSeen(places, {crests[last], crests[i], troughs[i], troughs[last]});
+        _polygon = still;
+        for (glm::dvec3& corner : _polygon)
+            corner += by;
+        addSeen();
     }
-    return convexHull(places);
-}
 
-// Sight lines to places [ndc], in eye space, of any length.
-std::vector<glm::dvec3> sightLines(const std::vector<glm::dvec2>& places,
-                                   const glm::dmat4& clipFromEye)
-{
-    const glm::dvec4 eyePoint = eyePointOf(clipFromEye);
-    if (eyePoint.w == 0.0) return std::vector<glm::dvec3>(places.size(), -glm::dvec3(eyePoint));
+    void addSeen()
+    {
+        for (const glm::dvec3& side :
+             {glm::dvec3(1, 0, 1), glm::dvec3(-1, 0, 1), glm::dvec3(0, 1, 1), glm::dvec3(0, -1, 1)})
+            clip(side);
+        for (const glm::dvec3& corner : _polygon)
+            if (corner.z > 0.0) // not the eye itself
+                _places.push_back(glm::clamp(glm::dvec2(corner) / corner.z, -1.0, 1.0));
+    }
 
-    const glm::dmat3 eyeFromImage = glm::inverse(glm::dmat3(
-        imagePoint(clipFromEye[0]), imagePoint(clipFromEye[1]), imagePoint(clipFromEye[2])));
-    std::vector<glm::dvec3> lines;
-    for (const glm::dvec2& place : places)
-        lines.push_back(eyeFromImage * glm::dvec3(place, 1.0));
-    return lines;
-}
+    // To where dot(plane, corner) >= 0.
+    void clip(const glm::dvec3& plane)
+    {
+        _clipped.clear();
+        for (std::size_t i = 0; i < _polygon.size(); ++i)
+        {
+            const glm::dvec3& a = _polygon[i];
+            const glm::dvec3& b = _polygon[(i + 1) % _polygon.size()];
+            const double atA = glm::dot(plane, a);
+            const double atB = glm::dot(plane, b);
+            if (atA >= 0.0) _clipped.push_back(a);
+            if (atA * atB < 0.0) _clipped.push_back(glm::mix(a, b, atA / (atA - atB)));
+        }
+        _polygon.swap(_clipped);
+    }
 
-// Unit normals in eye space around the rim of the disc of slopes; just the still one in calm water.
-std::vector<glm::dvec3> rimNormals(const ReflectingSheet& sheet)
-{
-    const glm::dmat3 eyeFromSurface = sheet.side * normalMatrix(sheet.eyeFromSurface);
-    if (!(sheet.maxSlope > 0.0)) return {glm::normalize(eyeFromSurface[2])};
-    const double step = glm::two_pi<double>() / RIM_NORMALS;
-    // The polygon around the disc, and as much again for what bends: of 2,000 frames swept, rays
-    // left the extent of the polygon alone in some, by up to 4e-4 of it, and that of this one in
-    // none.
-    const double slope = sheet.maxSlope / std::pow(std::cos(0.5 * step), 2.0);
-    std::vector<glm::dvec3> normals;
-    for (int i = 0; i < RIM_NORMALS; ++i)
-        normals.push_back(
-            glm::normalize(eyeFromSurface * glm::dvec3(slope * std::cos(i * step),
-                                                       slope * std::sin(i * step), 1.0)));
-    return normals;
-}
+    std::vector<glm::dvec2> _places;
+    Polygon _polygon; // that is being added
+    Polygon _clipped;
+};
 
 // Takes directions to their images, without what is but rounding: an orthographic one lies at
 // infinity, to whichever side.
@@ -143,31 +126,48 @@ private:
 
 } // namespace
 
+ReflectedRays::ReflectedRays(const ReflectingSheet& sheet, const glm::dmat4& clipFromEye) :
+    _clipFromEye(clipFromEye),
+    _normalEyeFromSurface(sheet.side * normalMatrix(sheet.eyeFromSurface))
+{
+    const glm::dvec4 eyePoint = eyePointOf(clipFromEye);
+    const glm::dmat3 eyeFromImage = glm::inverse(glm::dmat3(
+        imagePoint(clipFromEye[0]), imagePoint(clipFromEye[1]), imagePoint(clipFromEye[2])));
+    const std::vector<glm::dvec2> places = SeenOutline(sheet, clipFromEye).hull();
+    _lines.reserve(places.size());
+    for (const glm::dvec2& place : places)
+    {
+        const glm::dvec3 direction =
+            eyePoint.w == 0.0 ? -glm::dvec3(eyePoint) : eyeFromImage * glm::dvec3(place, 1.0);
+        _lines.push_back({direction, glm::length(direction)});
+        _beginnings.add(glm::dvec3(place, 1.0));
+    }
+}
+
 // For one normal, reflection and image are linear in the homogeneous sight line, so that the
 // extremes come from the corners of the seen outline. For one sight line the ray turns with the
-// normal without ever turning back, so that they come from the rim. What shade.glsl bends besides
-// goes no farther: a normal that does not face the eye, or a ray sent below the horizon, ends
-// between the sight line, the horizon and the calm ray.
-NdcExtent osgWaterReflect::reflectedExtent(const ReflectingSheet& sheet,
-                                           const glm::dmat4& clipFromEye)
+// normal without ever turning back, so that they come from the rim of the disc of slopes. What
+// shade.glsl bends besides goes no farther: a normal that does not face the eye, or a ray sent
+// below the horizon, ends between the sight line, the horizon and the calm ray.
+NdcExtent ReflectedRays::extent(double maxSlope) const
 {
-    const std::vector<glm::dvec2> places = seenOutline(sheet, clipFromEye);
-    const std::vector<glm::dvec3> lines = sightLines(places, clipFromEye);
-    std::vector<double> lengths;
-    ImageHull beginnings; // of rays
-    for (std::size_t i = 0; i < lines.size(); ++i)
-    {
-        lengths.push_back(glm::length(lines[i]));
-        beginnings.add(glm::dvec3(places[i], 1.0));
-    }
-    const DirectionImage image(clipFromEye);
+    const double step = glm::two_pi<double>() / RIM_NORMALS;
+    // The polygon around the disc, and as much again for what bends: of 2,000 frames swept, rays
+    // left the extent of the polygon alone in some, by up to 4e-4 of it, and that of this one in
+    // none.
+    const double slope = maxSlope / std::pow(std::cos(0.5 * step), 2.0);
+    const int numNormals = maxSlope > 0.0 ? RIM_NORMALS : 1; // just the still one in calm water
+    const DirectionImage image(_clipFromEye);
     NdcExtent extent;
-    for (const glm::dvec3& normal : rimNormals(sheet))
+    for (int i = 0; i < numNormals; ++i)
     {
-        ImageHull hull = beginnings;
-        for (std::size_t i = 0; i < lines.size(); ++i)
-            if (glm::dot(lines[i], normal) < 0.0)
-                hull.add(image.of(glm::reflect(lines[i], normal), lengths[i]));
+        const glm::dvec3 normal =
+            glm::normalize(_normalEyeFromSurface *
+                           glm::dvec3(slope * std::cos(i * step), slope * std::sin(i * step), 1.0));
+        ImageHull hull = _beginnings;
+        for (const SightLine& line : _lines)
+            if (glm::dot(line.direction, normal) < 0.0)
+                hull.add(image.of(glm::reflect(line.direction, normal), line.length));
         extent = unite(extent, hull.extent());
     }
     return extent;

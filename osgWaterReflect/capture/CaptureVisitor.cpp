@@ -9,11 +9,12 @@ using namespace osgWaterReflect;
 
 void CaptureVisitor::cull(const CulledView& view, osgUtil::RenderStage& stage,
                           const osg::Matrixd& eyeFromViewEye, osg::RefMatrix& projection,
-                          osg::Viewport& viewport)
+                          osg::Viewport& viewport, const SeenPyramid* shown)
 {
     const osgUtil::RenderStage& viewStage = *view.stage;
     osgUtil::CullVisitor& visitor = *view.visitor;
 
+    _shown = shown;
     reset();
     setFrameStamp(const_cast<osg::FrameStamp*>(visitor.getFrameStamp()));
     setTraversalNumber(visitor.getTraversalNumber());
@@ -118,11 +119,47 @@ void CaptureVisitor::tellShaders(const osg::Matrixd& eyeFromWorld, bool anotherE
     tell("osg_ViewMatrixInverse", osg::Matrixd::inverse(eyeFromWorld));
 }
 
+// Whether all of it lies in what is shown. What must be met wherever it lies, such as lights, is
+// not culled by OSG either, nor is what is above.
+bool CaptureVisitor::isShown(const osg::Node& node)
+{
+    if (!_shown || !node.isCullingActive()) return false;
+    const osg::BoundingSphere& bound = node.getBound();
+    if (!bound.valid()) return false;
+    return _shown->holdsAllOf(EyeSphere(bound.center(), bound.radius(), *getModelViewMatrix()));
+}
+
 void CaptureVisitor::apply(osg::Group& group)
 {
     const std::string unsteady = unsteadyShadowsOf(group);
     if (!unsteady.empty()) _unsteadyShadows = unsteady;
+    if (isShown(group)) return;
     osgUtil::CullVisitor::apply(group);
+}
+
+// OSG takes all planes of the frustum into each transform's space, and that is half of what a cull
+// of many of them costs; where the transform lies within the frustum none is needed any more.
+void CaptureVisitor::apply(osg::Transform& transform)
+{
+    if (isShown(transform) || isCulled(transform)) return;
+    const osg::Polytope& current = getCurrentCullingSet().getFrustum();
+    const bool isWithin = transform.isCullingActive() && transform.getBound().valid() &&
+                          (current.getCurrentMask() == 0 || current.getResultMask() == 0);
+    osg::Polytope& frustum = getProjectionCullingStack().back().getFrustum();
+    frustum.setResultMask(isWithin ? 0 : frustum.getCurrentMask());
+    frustum.pushCurrentMask();
+    osgUtil::CullVisitor::apply(transform);
+    frustum.popCurrentMask();
+}
+
+bool CaptureVisitor::isFitted() const
+{
+    return getCalculatedFarPlane() >= getCalculatedNearPlane();
+}
+
+void CaptureVisitor::apply(osg::Drawable& drawable)
+{
+    if (!isShown(drawable)) osgUtil::CullVisitor::apply(drawable);
 }
 
 // Cameras of the scene that render on their own have been, or will be, culled by the view: a

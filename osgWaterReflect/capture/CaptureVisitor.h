@@ -2,6 +2,7 @@
 #define OSGWATERREFLECT_CAPTURE_CAPTUREVISITOR_H
 
 #include "CulledView.h"
+#include "SeenPyramid.h"
 
 #include <osgUtil/CullVisitor>
 
@@ -23,9 +24,14 @@ public:
     ///   eyeFromViewEye  rigid, for row vectors
     ///   projection      clamped, like the view's, to near and far of what is drawn
     ///   viewport        that goes with it, in the view's pixels: decides levels of detail
+    ///   shown           what lies in it as a whole is left out, and does not count for near and
+    ///                   far; null: nothing
     void cull(const CulledView& view, osgUtil::RenderStage& stage,
               const osg::Matrixd& eyeFromViewEye, osg::RefMatrix& projection,
-              osg::Viewport& viewport);
+              osg::Viewport& viewport, const SeenPyramid* shown = nullptr);
+
+    /// Whether the projection was clamped in the last cull: not where it met nothing.
+    bool isFitted() const;
 
     /// The shadow technique met by any cull so far that fits its shadows to each cull, by its
     /// class; empty: none.
@@ -33,16 +39,21 @@ public:
 
     using osgUtil::CullVisitor::apply;
     void apply(osg::Group& group) override;
+    void apply(osg::Transform& transform) override;
     void apply(osg::Camera& camera) override;
+    void apply(osg::Drawable& drawable) override;
 
 private:
     void inheritLights(const CulledView& view, osgUtil::RenderStage& stage,
                        const osg::Matrixd& eyeFromViewEye);
     void tellShaders(const osg::Matrixd& eyeFromWorld, bool anotherEye);
+    bool isShown(const osg::Node& node);
 
     osg::ref_ptr<osgUtil::StateGraph> _captureStateGraph = new osgUtil::StateGraph;
     osg::ref_ptr<osg::StateSet> _stageState = new osg::StateSet;
     std::string _unsteadyShadows;
+
+    const SeenPyramid* _shown = nullptr; // of the cull under way
 };
 
 } // namespace osgWaterReflect

@@ -15,18 +15,26 @@ class CapturedScene
 public:
     explicit CapturedScene(osgUtil::RenderStage& stage) : _stage(stage) {}
 
-    /// Culls it from an eye, as far as an extent of what that eye sees reaches.
-    void cull(const CulledView& view, const CaptureEye& eye, const NdcExtent& extent);
+    /// Which of it is culled.
+    enum class Part
+    {
+        ALL,
+        BEYOND_VIEW ///< but for what the view itself shows as a whole
+    };
 
-    /// How far what was culled reaches; see StageContent.
-    NdcExtent seen(bool skies, const NdcExtent& asked) const;
+    /// Culls it from an eye, as far as an extent of what that eye sees reaches.
+    void cull(const CulledView& view, const CaptureEye& eye, const NdcExtent& extent,
+              Part part = Part::ALL);
+
+    /// How far reaches what was culled and lies beyond the view; see StageContent.
+    NdcExtent seenBeyondView(bool skies, const NdcExtent& asked) const
+    {
+        return _content.seenBeyondView(skies, asked);
+    }
 
     /// Sets the projection that it is drawn with to the eye's with a band, near and far as they
     /// were fitted, and leaves out what that does not show. Returns it.
     glm::dmat4 fitTo(const CaptureSize& size);
-
-    /// Leaves out what the view itself shows as a whole.
-    void keepBeyondView();
 
     /// Readies what is left for drawing.
     void finish() { _stage.sort(); }
@@ -40,11 +48,14 @@ public:
     const std::string& unsteadyShadows() const { return _visitor->unsteadyShadows(); }
 
 private:
+    void includeView(const CulledView& view);
+
     osgUtil::RenderStage& _stage; // of the capture that holds this
     const osg::ref_ptr<CaptureVisitor> _visitor = new CaptureVisitor;
     osg::ref_ptr<osg::RefMatrix> _projection;
     CaptureEye _eye;
-    NdcExtent _culled;
+    StageContent _content;    // where more than the view was culled
+    bool _reachesOut = false; // more was
 };
 
 } // namespace osgWaterReflect

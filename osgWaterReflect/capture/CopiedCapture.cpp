@@ -24,7 +24,6 @@ void CopiedCapture::take(const CulledView& view, const CaptureSize& size)
 void CopiedCapture::drawBand(const CulledView&, const CaptureSize& size)
 {
     _scene.fitTo(size);
-    _scene.keepBeyondView();
     _scene.finish();
     _projection = &_scene.projection();
 }

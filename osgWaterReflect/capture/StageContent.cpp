@@ -5,12 +5,6 @@
 #include <osg/Depth>
 #include <osgUtil/StateGraph>
 
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-
-#include <algorithm>
-#include <cmath>
-
 using namespace osgWaterReflect;
 using osgUtil::RenderBin;
 using osgUtil::RenderLeaf;
@@ -53,146 +47,98 @@ bool isBounded(const RenderLeaf& leaf)
            drawable->getBoundingBox().valid();
 }
 
-// The pyramid of what is seen within an extent, to tell at little cost, and for most leaves, that
-// all of a leaf lies in it, or none: by a sphere around the leaf.
-class Pyramid
+EyeSphere sphereOf(const RenderLeaf& leaf)
 {
-public:
-    Pyramid(const NdcExtent& extent, const glm::dmat4& clipFromEye)
-    {
-        const glm::dmat4 rows = glm::transpose(clipFromEye);
-        addSide(rows[0] - extent.left * rows[3], extent.left);
-        addSide(extent.right * rows[3] - rows[0], extent.right);
-        addSide(rows[1] - extent.bottom * rows[3], extent.bottom);
-        addSide(extent.top * rows[3] - rows[1], extent.top);
-        addSide(rows[3], 0.0); // before the eye
-    }
-
-    bool holdsAllOf(const RenderLeaf& leaf) const
-    {
-        const Sphere sphere = sphereOf(leaf);
-        for (int i = 0; i < _numSides; ++i)
-            if (height(i, sphere) < sphere.radius) return false;
-        return true;
-    }
-
-    bool holdsNoneOf(const RenderLeaf& leaf) const
-    {
-        const Sphere sphere = sphereOf(leaf);
-        for (int i = 0; i < _numSides; ++i)
-            if (height(i, sphere) < -sphere.radius) return true;
-        return false;
-    }
-
-private:
-    struct Sphere
-    {
-        osg::Vec3d centre; // in eye space
-        double radius;
-    };
-
-    // A side at infinity is none.
-    void addSide(const glm::dvec4& plane, double place)
-    {
-        if (!std::isfinite(place)) return;
-        const double length = glm::length(glm::dvec3(plane));
-        if (length > 0.0) _sides[_numSides++] = plane / length;
-    }
-
-    static Sphere sphereOf(const RenderLeaf& leaf)
-    {
-        const osg::BoundingBox& bound = leaf.getDrawable()->getBoundingBox();
-        const osg::Matrix& m = *leaf._modelview;
-        double squaredScale = 0.0;
-        for (int axis = 0; axis < 3; ++axis)
-            squaredScale =
-                std::max(squaredScale, m(axis, 0) * m(axis, 0) + m(axis, 1) * m(axis, 1) +
-                                           m(axis, 2) * m(axis, 2));
-        // Axes that are not perpendicular reach further together than the longest of them.
-        const double skewed = 1.7320508;
-        return {osg::Vec3d(bound.center()) * m,
-                skewed * bound.radius() * std::sqrt(squaredScale) * (1.0 + 1e-6)};
-    }
-
-    double height(int side, const Sphere& sphere) const
-    {
-        const glm::dvec4& plane = _sides[side];
-        return plane.x * sphere.centre.x() + plane.y * sphere.centre.y() +
-               plane.z * sphere.centre.z() + plane.w;
-    }
-
-    glm::dvec4 _sides[5];
-    int _numSides = 0;
-};
-
-// Leaves out what is bounded and refused.
-template <typename IsRefused>
-void leaveOut(const StageContent& content, const IsRefused& isRefused)
-{
-    const auto isLeftOut = [&](const osg::ref_ptr<RenderLeaf>& leaf)
-    { return leaf->_projection == &content.projection && isBounded(*leaf) && isRefused(*leaf); };
-    const auto reduce = [&](RenderBin& bin)
-    {
-        auto& graphs = bin.getStateGraphList();
-        for (StateGraph* graph : graphs)
-            graph->_leaves.erase(
-                std::remove_if(graph->_leaves.begin(), graph->_leaves.end(), isLeftOut),
-                graph->_leaves.end());
-        graphs.erase(std::remove_if(graphs.begin(), graphs.end(),
-                                    [](const StateGraph* graph) { return graph->_leaves.empty(); }),
-                     graphs.end());
-    };
-    forEachBin(content.stage, reduce);
+    const osg::BoundingBox& bound = leaf.getDrawable()->getBoundingBox();
+    return EyeSphere(bound.center(), bound.radius(), *leaf._modelview);
 }
 
 } // namespace
 
-NdcExtent StageContent::seenThrough(const glm::dmat4& clipFromEye, bool skies,
-                                    const NdcExtent& asked) const
+void StageContent::look(RenderBin& stage, const osg::RefMatrix& projection,
+                        const glm::dmat4& clipFromEye, bool keepsWithin)
+{
+    _stage = &stage;
+    _clipFromEye = clipFromEye;
+    _looked.clear();
+    const SeenPyramid view(NdcExtent(), clipFromEye);
+    std::size_t number = 0;
+    const auto lookAt = [&](const RenderLeaf& leaf, bool depth)
+    {
+        if (leaf._projection != &projection || !leaf._modelview.valid() || !leaf.getDrawable())
+            return;
+        const EyeSphere sphere = sphereOf(leaf);
+        const bool bounded = isBounded(leaf);
+        const bool within =
+            bounded && (view.holdsAllOf(sphere) ||
+                        (!keepsWithin && contains(NdcExtent(), extentOf(leaf, clipFromEye))));
+        if (!within || !keepsWithin)
+            _looked.push_back({&leaf, number, within, depth, bounded, sphere});
+    };
+    forEachBin(stage,
+               [&](RenderBin& bin)
+               {
+                   for (const StateGraph* graph : bin.getStateGraphList())
+                   {
+                       const bool depth = writesDepth(graph);
+                       for (const auto& leaf : graph->_leaves)
+                       {
+                           lookAt(*leaf, depth);
+                           ++number;
+                       }
+                   }
+               });
+}
+
+NdcExtent StageContent::seenBeyondView(bool skies, const NdcExtent& asked) const
 {
     NdcExtent seen = NdcExtent::none();
-    Pyramid known(seen, clipFromEye);
-    bool all = false;
-    const auto addLeaf = [&](const RenderLeaf& leaf)
+    SeenPyramid known(NdcExtent(), _clipFromEye);
+    for (const Leaf& looked : _looked)
     {
-        if (leaf._projection != &projection) return;
-        if (!seen.empty() && isBounded(leaf) && known.holdsAllOf(leaf)) return;
-        if (leaf._modelview.valid() && leaf.getDrawable())
-            seen = unite(seen, extentOf(leaf, clipFromEye));
-        known = Pyramid(seen, clipFromEye);
-        all = contains(seen, asked);
-    };
-    const auto add = [&](RenderBin& bin)
-    {
-        for (const StateGraph* graph : bin.getStateGraphList())
-            if (!all && (skies || writesDepth(graph)))
-                for (const auto& leaf : graph->_leaves)
-                    if (!all) addLeaf(*leaf);
-    };
-    forEachBin(stage, add);
+        if (looked.within || (!skies && !looked.writesDepth)) continue;
+        if (looked.bounded && known.holdsAllOf(looked.sphere)) continue;
+        seen = unite(seen, extentOf(*looked.leaf, _clipFromEye));
+        known = SeenPyramid(unite(NdcExtent(), seen), _clipFromEye);
+        if (contains(unite(NdcExtent(), seen), asked)) break;
+    }
     return seen;
 }
 
-void StageContent::keepSeenThrough(const glm::dmat4& clipFromEye) const
+void StageContent::keepSeenThrough(const glm::dmat4& clipFromEye)
 {
-    const Pyramid seen(NdcExtent(), clipFromEye);
-    leaveOut(*this,
-             [&](const RenderLeaf& leaf)
-             {
-                 return seen.holdsNoneOf(leaf) ||
-                        (!seen.holdsAllOf(leaf) &&
-                         intersect(extentOf(leaf, clipFromEye), NdcExtent()).empty());
-             });
-}
-
-void StageContent::keepBeyond(const glm::dmat4& clipFromEye) const
-{
-    const Pyramid seen(NdcExtent(), clipFromEye);
-    leaveOut(*this,
-             [&](const RenderLeaf& leaf)
-             {
-                 return seen.holdsAllOf(leaf) ||
-                        (!seen.holdsNoneOf(leaf) &&
-                         contains(NdcExtent(), extentOf(leaf, clipFromEye)));
-             });
+    const SeenPyramid wide(NdcExtent(), clipFromEye);
+    const auto isSeen = [&](const Leaf& looked)
+    {
+        if (looked.within) return false;
+        if (!looked.bounded || wide.holdsAllOf(looked.sphere)) return true;
+        return !wide.holdsNoneOf(looked.sphere) &&
+               !intersect(extentOf(*looked.leaf, clipFromEye), NdcExtent()).empty();
+    };
+    std::size_t number = 0;
+    auto next = _looked.begin();
+    const auto isKept = [&]
+    {
+        const bool isLooked = next != _looked.end() && next->number == number;
+        ++number;
+        return !isLooked || isSeen(*next++);
+    };
+    forEachBin(*_stage,
+               [&](RenderBin& bin)
+               {
+                   auto& graphs = bin.getStateGraphList();
+                   for (StateGraph* graph : graphs)
+                   {
+                       auto& leaves = graph->_leaves;
+                       auto end = leaves.begin(); // of those that are kept
+                       for (auto leaf = leaves.begin(); leaf != leaves.end(); ++leaf)
+                           if (isKept() && end++ != leaf) std::prev(end)->swap(*leaf);
+                       leaves.erase(end, leaves.end());
+                   }
+                   graphs.erase(std::remove_if(graphs.begin(), graphs.end(),
+                                               [](const StateGraph* graph)
+                                               { return graph->_leaves.empty(); }),
+                                graphs.end());
+               });
+    _looked.clear();
 }

@@ -15,6 +15,10 @@ namespace osgWaterReflect
 struct EffectView
 {
     glm::dmat4 eyeFromWorld{1.0};
+
+    /// What the eye sees without water; null where no effect of the water looks at it, and before
+    /// it is known which do.
+    const Capture* scene = nullptr;
 };
 
 /// Whether an effect is called for: yes, or no and why.
@@ -23,12 +27,6 @@ struct CalledFor
     const char* whyNot = nullptr; ///< a few words; null: it is called for
 
     explicit operator bool() const { return !whyNot; }
-};
-
-/// The images of a view that an effect reads, beyond what its water looks for its rays in.
-struct EffectImages
-{
-    bool eyeCapture = false; ///< what the eye sees without water
 };
 
 /// Something that is seen in or on water, only where the scene calls for it: elsewhere it leaves no
@@ -53,7 +51,10 @@ public:
     virtual const char* getName() const = 0;
 
     virtual CalledFor calledFor(const WaterSurface& water, const EffectView& view) const = 0;
-    virtual EffectImages getImages() const { return {}; }
+
+    /// Whether it looks at what the eye sees without water: EffectView::scene.
+    virtual bool looksAtScene() const { return false; }
+
     virtual Slot getSlot() const = 0;
 
     /// The same in each call.

@@ -1,11 +1,13 @@
 #ifndef OSGWATERREFLECT_EFFECTS_EFFECTSTATE_H
 #define OSGWATERREFLECT_EFFECTS_EFFECTSTATE_H
 
+#include "../images/CaptureBinding.h"
 #include "../shaders/Bindings.h"
 
 #include <osg/StateSet>
 #include <osg/Texture>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -38,9 +40,13 @@ public:
     /// In a texture unit of its own.
     void setTexture(const std::string& sampler, osg::Texture* texture);
 
+    /// The shader's struct Capture (shaders/shared/interface.glsl), without depth cells and sky.
+    void setCapture(const std::string& uniform, const Capture& capture);
+
 private:
     const osg::ref_ptr<osg::StateSet> _stateSet;
     std::vector<const Effect*> _effects;
+    std::map<std::string, CaptureBinding> _captures; // by uniform
     unsigned int _nextUnit = bindings::UNIT_EFFECTS; // in the middle of an update
 };
 

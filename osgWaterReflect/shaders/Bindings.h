@@ -65,7 +65,7 @@ constexpr const char* COLUMN_STRIDE = "osgwr_columnStride";
 constexpr unsigned int UNIT_EYE_CAPTURE = 0;
 constexpr unsigned int UNIT_MIRROR_CAPTURE = 4;
 constexpr unsigned int UNIT_TRACED_RAYS = 8;
-constexpr unsigned int UNIT_EFFECTS = 9; ///< and those after it: one for each image of an effect
+constexpr unsigned int UNIT_EFFECTS = 9; ///< and those after it
 constexpr unsigned int NUM_UNITS = 14;
 
 /// Sets a uniform that nothing above in the scene graph may override.

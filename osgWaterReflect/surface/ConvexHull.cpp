@@ -40,6 +40,7 @@ std::vector<glm::dvec2> osgWaterReflect::convexHull(std::vector<glm::dvec2> poin
     if (points.size() < 2) return points;
 
     std::vector<glm::dvec2> hull;
+    hull.reserve(points.size() + 1);
     appendChain(hull, points.begin(), points.end());
     appendChain(hull, points.rbegin(), points.rend());
     return hull;

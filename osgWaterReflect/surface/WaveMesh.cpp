@@ -30,7 +30,7 @@ class EdgeMiddles
 public:
     static constexpr unsigned int NONE = std::numeric_limits<unsigned int>::max();
 
-    EdgeMiddles() : _slots(4096) {}
+    EdgeMiddles() : _slots(256) {}
 
     // The middle of an edge from a to b, a < b, to be set where it is still NONE.
     unsigned int& at(unsigned int a, unsigned int b)

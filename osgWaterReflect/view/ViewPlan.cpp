@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 using namespace osgWaterReflect;
 
@@ -27,12 +28,11 @@ public:
     {
         settleSheets();
         saveTime();
+        planEffects();
         planEyeImage();
         planMirrors();
         planTrace();
         planSky();
-        for (std::size_t i = 0; i < _plan.sheets.size(); ++i)
-            _plan.sheets[i].effects = effectsOf(*_facts.sheets[i].water, _facts.effectView);
         explain(_facts, _plan);
     }
 
@@ -106,16 +106,26 @@ private:
         return _settled.empty() ? _plan.sheets[i].settings : _settled[i];
     }
 
-    // How far the rays of a sheet reach, where its slopes are no steeper.
-    NdcExtent reach(const VisibleSheet& visible, double maxSlope) const
+    ReflectedRays raysOf(const VisibleSheet& visible) const
     {
         ReflectingSheet sheet;
         sheet.hull = &visible.sheet->hull();
         sheet.eyeFromSurface = visible.eyeFromSurface;
         sheet.amplitude = visible.bounds->amplitude;
-        sheet.maxSlope = maxSlope;
         sheet.side = visible.eyeAbove ? 1.0 : -1.0;
-        return reflectedExtent(sheet, _facts.clipFromEye);
+        return ReflectedRays(sheet, _facts.clipFromEye);
+    }
+
+    void planEffects()
+    {
+        for (std::size_t i = 0; i < _plan.sheets.size(); ++i)
+        {
+            ViewPlan::Sheet& sheet = _plan.sheets[i];
+            sheet.effects = effectsOf(*_facts.sheets[i].water, _facts.effectView);
+            sheet.looksAtScene =
+                std::any_of(sheet.effects.begin(), sheet.effects.end(),
+                            [](const Effect* effect) { return effect->looksAtScene(); });
+        }
     }
 
     EyeImage eyeImage() const
@@ -127,7 +137,7 @@ private:
             // An image that is drawn serves the waters that ask for a copy, too.
             if (kind == CaptureKind::VIEW || kind == CaptureKind::VIEW_AND_MIRROR)
                 return EyeImage::DRAWN;
-            copied = copied || kind == CaptureKind::FRAME;
+            copied = copied || kind == CaptureKind::FRAME || sheet.looksAtScene;
         }
         if (!copied) return EyeImage::NONE;
         // The frame of a nested view shows what it does not see.
@@ -154,7 +164,7 @@ private:
         for (std::size_t i = 0; i < _plan.sheets.size(); ++i)
         {
             const WaterSettings& settings = _plan.sheets[i].settings;
-            if (!_plan.sheets[i].usesEyeImage()) continue;
+            if (!_plan.sheets[i].searchesEyeImage()) continue;
             const VisibleSheet& visible = _facts.sheets[i];
             _plan.eyeCells = _plan.eyeCells || settings.search == Search::HIERARCHICAL;
             if (!visible.water->getSky())
@@ -164,14 +174,17 @@ private:
             }
             const bool asks = GuardBandRequest::asksForReach(settings) ||
                               GuardBandRequest::asksForReach(settled(i));
+            const bool mayGo = mayDoWithoutMirror(i);
             const WaveBounds& waves = *visible.bounds;
-            const NdcExtent rays = asks ? reach(visible, waves.maxSlope) : NdcExtent();
-            given.add(settings, rays);
-            beforeSaving.add(settled(i), rays);
-            if (!mayDoWithoutMirror(i)) continue;
+            std::optional<ReflectedRays> rays;
+            if (asks || mayGo) rays = raysOf(visible);
+            const NdcExtent extent = asks ? rays->extent(waves.maxSlope) : NdcExtent();
+            given.add(settings, extent);
+            beforeSaving.add(settled(i), extent);
+            if (!mayGo) continue;
             mirrorMayGo = true;
             const double mostSlopes = std::min(MOST_SLOPES * waves.rmsSlope, waves.maxSlope);
-            mostRays = unite(mostRays, reach(visible, mostSlopes));
+            mostRays = unite(mostRays, rays->extent(mostSlopes));
         }
         const NdcExtent scene =
             _facts.cullScene(_plan.eyeImage, mirrorMayGo ? beforeSaving : given);
@@ -229,7 +242,7 @@ private:
             const VisibleSheet& visible = _facts.sheets[i];
             if (visible.water->getSky()) continue;
             _plan.upEye += glm::normalize(normalMatrix(visible.eyeFromSurface)[2]);
-            if (_plan.sheets[i].usesEyeImage())
+            if (_plan.sheets[i].searchesEyeImage())
                 _plan.eyeSky = true;
             else
                 _plan.mirrors[_plan.sheets[i].mirror].sky = true;

@@ -34,8 +34,11 @@ struct ViewPlan
         WaterSettings settings;             ///< nothing in them is AUTOMATIC
         int mirror = -1;                    ///< index of its mirrored image; below 0: none
         std::vector<const Effect*> effects; ///< that it calls for
+        bool looksAtScene = false;          ///< some of them do
         std::vector<WaterStatus::Decision> decisions; ///< what may be done, and why it is or is not
-        bool usesEyeImage() const { return settings.capture != CaptureKind::MIRROR; }
+        /// Its rays are looked for in it.
+        bool searchesEyeImage() const { return settings.capture != CaptureKind::MIRROR; }
+        bool usesEyeImage() const { return searchesEyeImage() || looksAtScene; }
     };
 
     struct Mirror

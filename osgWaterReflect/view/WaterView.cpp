@@ -198,11 +198,13 @@ NdcExtent WaterView::cullScene(EyeImage image, const GuardBandRequest& request)
     if (image == EyeImage::COPIED) use(_copied);
     // A frame without a band is copied as a whole.
     if (image == EyeImage::COPIED && contains(NdcExtent(), possible)) return NdcExtent();
-    CapturedScene& scene =
-        image == EyeImage::DRAWN ? _drawn.capture->scene() : _copied.capture->scene();
-    scene.cull(_view, viewEye(_view.clipFromEye), possible);
+    const bool drawn = image == EyeImage::DRAWN;
+    CapturedScene& scene = drawn ? _drawn.capture->scene() : _copied.capture->scene();
+    scene.cull(_view, viewEye(_view.clipFromEye), possible,
+               drawn ? CapturedScene::Part::ALL : CapturedScene::Part::BEYOND_VIEW);
     if (!scene.unsteadyShadows().empty()) _unsteadyShadows = scene.unsteadyShadows();
-    return request.adapts() ? scene.seen(request.seesDrawnSky(), request.reflected()) : NdcExtent();
+    return request.adapts() ? scene.seenBeyondView(request.seesDrawnSky(), request.reflected())
+                            : NdcExtent();
 }
 
 void WaterView::capture()
@@ -246,17 +248,18 @@ void WaterView::draw()
     for (std::size_t i = 0; i < _visible.size(); ++i)
     {
         const ViewPlan::Sheet& sheet = _plan.sheets[i];
+        const SearchedCapture eyeImage = _plan.eyeImage == EyeImage::DRAWN
+                                             ? searched(_drawn, sheet, _plan.eyeSky)
+                                             : searched(_copied, sheet, _plan.eyeSky);
         SearchedCapture images[2];
         int count = 0;
-        if (sheet.usesEyeImage())
-            images[count++] = _plan.eyeImage == EyeImage::DRAWN
-                                  ? searched(_drawn, sheet, _plan.eyeSky)
-                                  : searched(_copied, sheet, _plan.eyeSky);
+        if (sheet.searchesEyeImage()) images[count++] = eyeImage;
         if (sheet.mirror >= 0)
             images[count++] =
                 searched(_mirrored[sheet.mirror], sheet, _plan.mirrors[sheet.mirror].sky);
+        const Capture* const scene = sheet.looksAtScene ? eyeImage.capture : nullptr;
         _visible[i].draw->prepare(_view, _visible[i], sheet.settings, sheet.effects, images[0],
-                                  images[1], *_trace);
+                                  images[1], scene, *_trace);
     }
     const bool copied = _plan.eyeImage == EyeImage::COPIED;
     if (traced) _trace->draw(_view, copied ? &_copied.capture->stage() : nullptr);

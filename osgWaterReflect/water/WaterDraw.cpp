@@ -62,7 +62,7 @@ void WaterDraw::enrol(osgUtil::CullVisitor& view, const VisibleSheet& visible)
 void WaterDraw::prepare(const CulledView& view, const VisibleSheet& visible,
                         const WaterSettings& settings, const std::vector<const Effect*>& effects,
                         const SearchedCapture& first, const SearchedCapture& second,
-                        LowResTrace& trace)
+                        const Capture* scene, LowResTrace& trace)
 {
     const glm::dvec2 anchor = prepareMesh(view, visible);
     const glm::dmat4 eyeFromAnchor =
@@ -79,7 +79,7 @@ void WaterDraw::prepare(const CulledView& view, const VisibleSheet& visible,
     bindings::set(*_stateSet, bindings::CLEAR_COLOUR, osg::Vec3(clear.r(), clear.g(), clear.b()));
     setWater(*visible.water, settings);
     setView(view, visible, eyeFromAnchor);
-    _effects.update(effects, *visible.water, {fromOsg(view.eyeFromWorld)});
+    _effects.update(effects, *visible.water, {fromOsg(view.eyeFromWorld), scene});
     _program.set(*_stateSet, keyOf(WaterPass::SHADE, *visible.water, settings, images, effects));
     setTraced(trace, visible, settings, images);
 }

@@ -2,8 +2,8 @@
 #define OSGWATERREFLECT_WATER_WATERDRAW_H
 
 #include "../effects/EffectState.h"
+#include "../images/CaptureBinding.h"
 #include "../surface/WaveMesh.h"
-#include "CaptureBinding.h"
 #include "KeptProgram.h"
 #include "LowResTrace.h"
 #include "VisibleSheet.h"
@@ -40,10 +40,11 @@ public:
     ///   settings  nothing in them is AUTOMATIC
     ///   effects   that the sheet calls for
     ///   first, second  in this order; the second may be none
+    ///   scene     what the eye sees without water, for the effects; null: none looks at it
     ///   trace     where its rays are traced first, with a traceScale below 1
     void prepare(const CulledView& view, const VisibleSheet& visible, const WaterSettings& settings,
                  const std::vector<const Effect*>& effects, const SearchedCapture& first,
-                 const SearchedCapture& second, LowResTrace& trace);
+                 const SearchedCapture& second, const Capture* scene, LowResTrace& trace);
 
     /// Of the program that it is drawn with; empty before it is prepared.
     const std::string& programName() const;

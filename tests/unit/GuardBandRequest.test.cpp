@@ -38,7 +38,7 @@ TEST_CASE("no band makes a larger image than is made room for")
         ReflectingSheet water;
         water.hull = &square;
         water.eyeFromSurface = glm::lookAt(eye, centre, up);
-        const NdcExtent reflected = reflectedExtent(water, clipFromEye);
+        const NdcExtent reflected = ReflectedRays(water, clipFromEye).extent(0.0);
         GuardBandRequest request;
         request.add(adaptive, reflected);
         request.add(fixed, reflected);

@@ -43,8 +43,9 @@ struct Frame
 NdcExtent extentOf(const Frame& frame)
 {
     const std::vector<glm::dvec2> hull = convexHull(frame.outline);
-    return reflectedExtent({&hull, frame.eyeFromSurface, frame.amplitude, frame.slope, frame.side},
-                           frame.clipFromEye);
+    return ReflectedRays({&hull, frame.eyeFromSurface, frame.amplitude, frame.side},
+                         frame.clipFromEye)
+        .extent(frame.slope);
 }
 
 // An eye at (0, 0, height) over the surface that looks along y, pitched down and rolled.
@@ -287,8 +288,8 @@ private:
 
 } // namespace
 
-// Falls when rimNormals() returns the still normal alone, takes 8 normals, the bare slope or the
-// sheet's side for +1; when seenOutline() forgets the amplitude, or the walls between crests and
+// Falls when ReflectedRays takes the still normal alone, 8 normals, the bare slope or the
+// sheet's side for +1; when SeenOutline forgets the amplitude, or the walls between crests and
 // troughs; when rays that a normal turned from the eye would reflect are followed, too.
 TEST_CASE("no reflected ray leaves the extent, and little of it lies idle")
 {
@@ -475,10 +476,10 @@ TEST_CASE("how long an extent takes", "[.timing]")
     {
         const Frame frame = frames.next();
         const std::vector<glm::dvec2> hull = convexHull(frame.outline);
-        const ReflectingSheet sheet = {&hull, frame.eyeFromSurface, frame.amplitude,
-                                       std::max(0.05, frame.slope), frame.side};
+        const ReflectingSheet sheet = {&hull, frame.eyeFromSurface, frame.amplitude, frame.side};
         const auto start = std::chrono::steady_clock::now();
-        const NdcExtent extent = reflectedExtent(sheet, frame.clipFromEye);
+        const NdcExtent extent =
+            ReflectedRays(sheet, frame.clipFromEye).extent(std::max(0.05, frame.slope));
         const std::chrono::duration<double, std::micro> taken =
             std::chrono::steady_clock::now() - start;
         REQUIRE(!extent.empty());

@@ -1,9 +1,9 @@
-#ifndef OSGWATERREFLECT_WATER_CAPTUREBINDING_H
-#define OSGWATERREFLECT_WATER_CAPTUREBINDING_H
+#ifndef OSGWATERREFLECT_IMAGES_CAPTUREBINDING_H
+#define OSGWATERREFLECT_IMAGES_CAPTUREBINDING_H
 
 #include "../capture/Capture.h"
-#include "../images/DepthCells.h"
-#include "../images/SkyImage.h"
+#include "DepthCells.h"
+#include "SkyImage.h"
 
 #include <osg/StateSet>
 #include <osg/Uniform>
@@ -18,6 +18,8 @@ namespace osgWaterReflect
 class CaptureBinding
 {
 public:
+    static constexpr unsigned int NUM_UNITS = 4;
+
     ///   name  of the uniform
     ///   unit  of the first of its textures
     CaptureBinding(const std::string& name, unsigned int unit);

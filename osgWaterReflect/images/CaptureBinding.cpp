@@ -55,7 +55,7 @@ void CaptureBinding::bind(osg::StateSet& stateSet, const Capture& capture, const
 void CaptureBinding::unbind(osg::StateSet& stateSet)
 {
     if (!_bound) return;
-    for (unsigned int unit = _unit; unit < _unit + 4; ++unit)
+    for (unsigned int unit = _unit; unit < _unit + NUM_UNITS; ++unit)
         bindTexture(stateSet, unit, nullptr);
 }
 
