@@ -35,8 +35,13 @@ public:
     {
         const glm::dmat4 clipFromSurface = clipFromEye * sheet.eyeFromSurface;
         const glm::dvec3 rise = imagePoint(sheet.amplitude * clipFromSurface[2]);
+        const std::size_t size = sheet.hull->size();
         Polygon still;
-        still.reserve(sheet.hull->size());
+        still.reserve(size);
+        // Each side of the view adds a corner at most.
+        _polygon.reserve(size + 4);
+        _clipped.reserve(size + 4);
+        _places.reserve(sheet.amplitude > 0.0 ? 2 * (size + 4) + 8 * size : size + 4);
         for (const glm::dvec2& corner : *sheet.hull)
             still.push_back(imagePoint(clipFromSurface * glm::dvec4(corner, 0.0, 1.0)));
         addMoved(still, rise);

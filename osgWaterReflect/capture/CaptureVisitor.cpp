@@ -142,14 +142,19 @@ void CaptureVisitor::apply(osg::Group& group)
 void CaptureVisitor::apply(osg::Transform& transform)
 {
     if (isShown(transform) || isCulled(transform)) return;
-    const osg::Polytope& current = getCurrentCullingSet().getFrustum();
+    // Stacks that grow meanwhile move what they hold: it is asked for anew.
+    const auto current = [&]() -> osg::Polytope& { return getCurrentCullingSet().getFrustum(); };
+    const auto whole = [&]() -> osg::Polytope&
+    { return getProjectionCullingStack().back().getFrustum(); };
     const bool isWithin = transform.isCullingActive() && transform.getBound().valid() &&
-                          (current.getCurrentMask() == 0 || current.getResultMask() == 0);
-    osg::Polytope& frustum = getProjectionCullingStack().back().getFrustum();
-    frustum.setResultMask(isWithin ? 0 : frustum.getCurrentMask());
-    frustum.pushCurrentMask();
+                          (current().getCurrentMask() == 0 || current().getResultMask() == 0);
+    current().setResultMask(isWithin ? 0 : current().getCurrentMask());
+    current().pushCurrentMask();
+    whole().setResultMask(isWithin ? 0 : whole().getCurrentMask());
+    whole().pushCurrentMask();
     osgUtil::CullVisitor::apply(transform);
-    frustum.popCurrentMask();
+    whole().popCurrentMask();
+    current().popCurrentMask();
 }
 
 bool CaptureVisitor::isFitted() const

@@ -31,7 +31,7 @@ osg::ref_ptr<osg::Program> ImagePass::program(const std::string& fragmentShader)
     return sharedProgram("fullscreen.vert", fragmentShader);
 }
 
-void ImagePass::setInput(unsigned int unit, const char* name, osg::Texture2D* texture)
+void ImagePass::setInput(unsigned int unit, const std::string& name, osg::Texture2D* texture)
 {
     _stage->stateSet().setTextureAttribute(unit, texture);
     bindings::set(_stage->stateSet(), name, static_cast<int>(unit));

@@ -27,7 +27,7 @@ public:
     static osg::ref_ptr<osg::Program> program(const std::string& fragmentShader);
 
     /// A texture that the shader reads from a unit, under a name of Bindings.h.
-    void setInput(unsigned int unit, const char* name, osg::Texture2D* texture);
+    void setInput(unsigned int unit, const std::string& name, osg::Texture2D* texture);
 
     /// For uniforms of the shader's own.
     osg::StateSet& stateSet() { return _stage->stateSet(); }

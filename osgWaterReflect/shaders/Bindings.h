@@ -7,59 +7,60 @@
 
 /// The C++ side of shared/interface.glsl, and of what the default pieces of the slots declare:
 /// names that the water's program shares with the scene it lives in, and the texture units. Wave
-/// models and effects have those of their own pieces to themselves.
+/// models and effects have those of their own pieces to themselves. They are strings, for OSG asks
+/// for uniforms by strings, and in each frame.
 namespace osgWaterReflect::bindings
 {
 
-constexpr const char* DEFINE_IMAGES = "OSGWR_IMAGES";
-constexpr const char* DEFINE_OUTPUT = "OSGWR_OUTPUT";
-constexpr const char* DEFINE_TRACE = "OSGWR_TRACE";
+inline const std::string DEFINE_IMAGES = "OSGWR_IMAGES";
+inline const std::string DEFINE_OUTPUT = "OSGWR_OUTPUT";
+inline const std::string DEFINE_TRACE = "OSGWR_TRACE";
 
-constexpr const char* EYE_CAPTURE = "osgwr_eyeCapture";
-constexpr const char* MIRROR_CAPTURE = "osgwr_mirrorCapture";
-constexpr const char* CLEAR_COLOUR = "osgwr_clearColour";
+inline const std::string EYE_CAPTURE = "osgwr_eyeCapture";
+inline const std::string MIRROR_CAPTURE = "osgwr_mirrorCapture";
+inline const std::string CLEAR_COLOUR = "osgwr_clearColour";
 
 /// Members of a capture, behind its name.
-constexpr const char* COLOUR = ".colour";
-constexpr const char* WINDOW_Z = ".windowZ";
-constexpr const char* CELLS = ".cells";
-constexpr const char* SKY = ".sky";
-constexpr const char* SIZE = ".size";
-constexpr const char* IMAGE_FROM_EYE = ".imageFromEye";
-constexpr const char* DEPTH_SCALE = ".depthScale";
-constexpr const char* PIXEL_EXTENT = ".pixelExtent";
-constexpr const char* MIRRORED = ".mirrored";
+inline const std::string COLOUR = ".colour";
+inline const std::string WINDOW_Z = ".windowZ";
+inline const std::string CELLS = ".cells";
+inline const std::string SKY = ".sky";
+inline const std::string SIZE = ".size";
+inline const std::string IMAGE_FROM_EYE = ".imageFromEye";
+inline const std::string DEPTH_SCALE = ".depthScale";
+inline const std::string PIXEL_EXTENT = ".pixelExtent";
+inline const std::string MIRRORED = ".mirrored";
 
-constexpr const char* FRAME_COLOUR = "osgwr_frameColour";
-constexpr const char* FRAME_WINDOW_Z = "osgwr_frameWindowZ";
-constexpr const char* FRAME_FROM_CAPTURE = "osgwr_frameFromCapture";
-constexpr const char* CAPTURE_FAR_GAP = "osgwr_captureFarGap";
+inline const std::string FRAME_COLOUR = "osgwr_frameColour";
+inline const std::string FRAME_WINDOW_Z = "osgwr_frameWindowZ";
+inline const std::string FRAME_FROM_CAPTURE = "osgwr_frameFromCapture";
+inline const std::string CAPTURE_FAR_GAP = "osgwr_captureFarGap";
 
-constexpr const char* PYRAMID_SOURCE = "osgwr_pyramidSource";
-constexpr const char* PYRAMID_SOURCE_SIZE = "osgwr_pyramidSourceSize";
-constexpr const char* PYRAMID_MIDDLE = "osgwr_pyramidMiddle";
-constexpr const char* PYRAMID_LARGE = "osgwr_pyramidLarge";
+inline const std::string PYRAMID_SOURCE = "osgwr_pyramidSource";
+inline const std::string PYRAMID_SOURCE_SIZE = "osgwr_pyramidSourceSize";
+inline const std::string PYRAMID_MIDDLE = "osgwr_pyramidMiddle";
+inline const std::string PYRAMID_LARGE = "osgwr_pyramidLarge";
 
-constexpr const char* OBLIQUE_WINDOW_Z = "osgwr_obliqueWindowZ";
-constexpr const char* WINDOW_Z_FROM_OBLIQUE = "osgwr_windowZFromOblique";
+inline const std::string OBLIQUE_WINDOW_Z = "osgwr_obliqueWindowZ";
+inline const std::string WINDOW_Z_FROM_OBLIQUE = "osgwr_windowZFromOblique";
 
-constexpr const char* SKY_SOURCE_COLOUR = "osgwr_skySourceColour";
-constexpr const char* SKY_SOURCE_WINDOW_Z = "osgwr_skySourceWindowZ";
-constexpr const char* SKY_SOURCE_SIZE = "osgwr_skySourceSize";
-constexpr const char* SKY_UP = "osgwr_skyUp";
+inline const std::string SKY_SOURCE_COLOUR = "osgwr_skySourceColour";
+inline const std::string SKY_SOURCE_WINDOW_Z = "osgwr_skySourceWindowZ";
+inline const std::string SKY_SOURCE_SIZE = "osgwr_skySourceSize";
+inline const std::string SKY_UP = "osgwr_skyUp";
 
-constexpr const char* TRACED_RAYS = "osgwr_tracedRays";
-constexpr const char* TRACED_FROM_WINDOW = "osgwr_tracedFromWindow";
-constexpr const char* SHEET_NUMBER = "osgwr_sheetNumber";
+inline const std::string TRACED_RAYS = "osgwr_tracedRays";
+inline const std::string TRACED_FROM_WINDOW = "osgwr_tracedFromWindow";
+inline const std::string SHEET_NUMBER = "osgwr_sheetNumber";
 
-constexpr const char* EYE_POINT_EYE = "osgwr_eyePointEye";
+inline const std::string EYE_POINT_EYE = "osgwr_eyePointEye";
 
-constexpr const char* NORMAL_EYE_FROM_SURFACE = "osgwr_normalEyeFromSurface";
-constexpr const char* SURFACE_FROM_EYE = "osgwr_surfaceFromEye";
-constexpr const char* EYE_SIDE = "osgwr_eyeSide";
-constexpr const char* WATER_REFRACTIVE_INDEX = "osgwr_waterRefractiveIndex";
-constexpr const char* HIT_THICKNESS = "osgwr_hitThickness";
-constexpr const char* COLUMN_STRIDE = "osgwr_columnStride";
+inline const std::string NORMAL_EYE_FROM_SURFACE = "osgwr_normalEyeFromSurface";
+inline const std::string SURFACE_FROM_EYE = "osgwr_surfaceFromEye";
+inline const std::string EYE_SIDE = "osgwr_eyeSide";
+inline const std::string WATER_REFRACTIVE_INDEX = "osgwr_waterRefractiveIndex";
+inline const std::string HIT_THICKNESS = "osgwr_hitThickness";
+inline const std::string COLUMN_STRIDE = "osgwr_columnStride";
 
 /// Of the first of a capture's images; colour, windowZ, cells and sky follow one another.
 constexpr unsigned int UNIT_EYE_CAPTURE = 0;

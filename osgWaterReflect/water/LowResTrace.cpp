@@ -10,7 +10,7 @@ using namespace osgWaterReflect;
 
 LowResTrace::LowResTrace() :
     _rays(new osg::Texture2D),
-    _tracedFromWindow(new osg::Uniform(bindings::TRACED_FROM_WINDOW, osg::Vec4())),
+    _tracedFromWindow(new osg::Uniform(bindings::TRACED_FROM_WINDOW.c_str(), osg::Vec4())),
     _stateSet(new osg::StateSet), _camera(new osg::Camera), _stateGraph(new osgUtil::StateGraph),
     _stage(new osgUtil::RenderStage)
 {

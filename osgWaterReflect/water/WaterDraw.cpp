@@ -126,10 +126,11 @@ void WaterDraw::setTraced(LowResTrace& trace, const VisibleSheet& visible,
 {
     if (settings.traceScale >= 1.0)
     {
+        if (!_stateSet->getUniform(bindings::TRACED_RAYS)) return;
         _stateSet->removeTextureAttribute(bindings::UNIT_TRACED_RAYS, osg::StateAttribute::TEXTURE);
-        for (const char* name :
-             {bindings::TRACED_RAYS, bindings::TRACED_FROM_WINDOW, bindings::SHEET_NUMBER})
-            _stateSet->removeUniform(name);
+        _stateSet->removeUniform(bindings::TRACED_RAYS);
+        _stateSet->removeUniform(bindings::TRACED_FROM_WINDOW);
+        _stateSet->removeUniform(bindings::SHEET_NUMBER);
         return;
     }
     _stateSet->setTextureAttribute(bindings::UNIT_TRACED_RAYS, trace.rays(), ON);

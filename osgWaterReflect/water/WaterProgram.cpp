@@ -90,7 +90,7 @@ void osgWaterReflect::setVariant(osg::StateSet& stateSet, Images images, Trace t
                                  WaterSurface::DebugView output)
 {
     const unsigned int on = osg::StateAttribute::ON | osg::StateAttribute::PROTECTED;
-    const auto set = [&](const char* name, int value)
+    const auto set = [&](const std::string& name, int value)
     { stateSet.setDefine(name, std::to_string(value), on); };
     set(bindings::DEFINE_IMAGES, static_cast<int>(images));
     set(bindings::DEFINE_TRACE, static_cast<int>(trace));

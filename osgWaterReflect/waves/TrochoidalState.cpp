@@ -6,6 +6,7 @@
 #include <osg/Math>
 
 #include <cmath>
+#include <string>
 
 using namespace osgWaterReflect;
 
@@ -16,11 +17,11 @@ const double GRAVITY = 9.80665; // [m/s^2] standard gravity [ISO80000 4-12]
 const double TURN = 2.0 * osg::PI;
 
 // Uniforms of waves_trochoidal.glsl.
-const char* const WAVE_TERMS = "osgwr_waveTerms";
-const char* const WAVE_TERM_COUNT = "osgwr_waveTermCount";
-const char* const WAVE_NEWTON_STEPS = "osgwr_waveNewtonSteps";
-const char* const WAVE_REACH = "osgwr_waveReach";
-const char* const WAVE_RISE = "osgwr_waveRise";
+const std::string WAVE_TERMS = "osgwr_waveTerms";
+const std::string WAVE_TERM_COUNT = "osgwr_waveTermCount";
+const std::string WAVE_NEWTON_STEPS = "osgwr_waveNewtonSteps";
+const std::string WAVE_REACH = "osgwr_waveReach";
+const std::string WAVE_RISE = "osgwr_waveRise";
 
 // Newton steps of the shader, by steepness sum: with so many its height errs by less than 1 % of
 // the sum of amplitudes and its normal by less than half a degree, but for one place in a thousand

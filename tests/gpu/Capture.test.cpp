@@ -4,9 +4,12 @@
 #include "support/Scenes.h"
 
 #include <osg/Material>
+#include <osg/MatrixTransform>
 #include <osg/PolygonMode>
 #include <osg/Program>
 #include <osgUtil/CullVisitor>
+
+#include <random>
 
 using osgWaterReflect::ReflectionSettings;
 using osgWaterReflect::WaterSurface;
@@ -119,6 +122,44 @@ TEST_CASE("the capture of a window has a window's 8 bits and its colours")
     // differs so from a frame buffer object, by one step of 8 bits in places and by more where a
     // point of an edge has moved across a pixel's centre: under a thousandth of the picture.
     CHECK(countDifferent(*view.captured->one().colour, *frame, 1.01 / 255.0) < 19);
+}
+
+// Crashes where CaptureVisitor::apply(Transform) keeps references to what its stacks hold, which
+// move it when they grow.
+TEST_CASE("a capture shows what is below many transforms, however they lie in the view")
+{
+    // Chains of transforms that run on within the view and beyond, with a box on each link.
+    const osg::ref_ptr<osg::Group> scene = scenes::together({scenes::createHarbour()});
+    std::mt19937 random(12);
+    std::uniform_real_distribution<double> anywhere(-1.0, 1.0);
+    for (int chain = 0; chain < 12; ++chain)
+    {
+        osg::ref_ptr<osg::Group> last = scene;
+        for (int link = 0; link < 40; ++link)
+        {
+            osg::Matrixd matrix =
+                osg::Matrixd::rotate(anywhere(random), osg::Vec3d(0, 0, 1)) *
+                osg::Matrixd::translate(anywhere(random), anywhere(random), 0.1 * anywhere(random));
+            const osg::ref_ptr<osg::MatrixTransform> next = new osg::MatrixTransform(matrix);
+            next->addChild(scenes::createBox(osg::Vec3(0.3 * anywhere(random), 0, 1.5),
+                                             osg::Vec3(0.2, 0.3, 0.1),
+                                             osg::Vec4(0.02 * link, 0.08 * chain, 0.5, 1)));
+            last->addChild(next);
+            last = next;
+        }
+    }
+    HarbourView view;
+    const osg::ref_ptr<osg::Image> dry = copyOf(view.render(scene));
+    const osg::ref_ptr<WaterSurface> lake = scenes::createLake();
+    ReflectionSettings settings;
+    settings.capture = osgWaterReflect::CaptureKind::VIEW;
+    REQUIRE(lake->setReflection(settings));
+    osgWaterReflect::ViewSettings viewSettings;
+    viewSettings.guardBand = osgWaterReflect::GuardBandKind::NONE;
+    REQUIRE(lake->setViewSettings(viewSettings));
+    scene->addChild(lake);
+    view.render(scene);
+    CHECK(countDifferent(*view.captured->one().colour, *dry) == 0);
 }
 
 // Breaks where WaterSurface::traverse goes on to its drawables in a capture.
