@@ -1,6 +1,7 @@
 #include "Offscreen.h"
 
 #include "Complain.h"
+#include "StatusPage.h"
 
 #include <osg/Timer>
 #include <osgDB/Registry>
@@ -113,10 +114,7 @@ void report(const Scene& scene, const Picture& picture, double frameTime)
     else
         std::cout << "none\n";
     std::cout << "frame: " << frameTime << " ms, the median of " << picture.frames << "\n";
-    for (std::size_t i = 0; i < scene.waters.size(); ++i)
-        for (const osgWaterReflect::WaterStatus& status : scene.waters[i]->getStatus())
-            std::cout << "water " << i << ", " << status;
-    std::cout << std::flush;
+    std::cout << statusOf(scene.waters) << std::flush;
 }
 
 } // namespace

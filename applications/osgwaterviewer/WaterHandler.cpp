@@ -19,7 +19,6 @@ const char WATER_KEY = 'x';
 const char WAVES_KEY = 'u';
 const char SEARCH_KEY = 'r';
 const char DEBUG_KEY = 'd';
-const char STATUS_KEY = 'i';
 
 void say(const std::string& what, const std::string& now)
 {
@@ -47,9 +46,6 @@ bool WaterHandler::handle(const osgGA::GUIEventAdapter& event, osgGA::GUIActionA
     case DEBUG_KEY:
         switchDebugView();
         break;
-    case STATUS_KEY:
-        sayStatus();
-        break;
     default:
         return false;
     }
@@ -65,7 +61,6 @@ void WaterHandler::getUsage(osg::ApplicationUsage& usage) const
     add(WAVES_KEY, "Toggle between calm and moving water");
     add(SEARCH_KEY, "Switch the search for the water's reflected rays");
     add(DEBUG_KEY, "Switch the water's debug view");
-    add(STATUS_KEY, "Print what was done for the water in the last frame, and why not more");
 }
 
 void WaterHandler::switchWater()
@@ -102,11 +97,4 @@ void WaterHandler::switchDebugView()
     for (const osg::ref_ptr<WaterSurface>& water : _waters)
         water->setDebugView(next);
     say("debug view", wordOf(DEBUG_VIEWS, next));
-}
-
-void WaterHandler::sayStatus() const
-{
-    for (std::size_t i = 0; i < _waters.size(); ++i)
-        for (const osgWaterReflect::WaterStatus& status : _waters[i]->getStatus())
-            OSG_NOTICE << "water " << i << ", " << status << std::flush;
 }

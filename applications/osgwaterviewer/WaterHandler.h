@@ -30,7 +30,6 @@ private:
     void switchWaves();
     void switchSearch();
     void switchDebugView();
-    void sayStatus() const;
 
     Waters _waters;
     osg::ref_ptr<osgWaterReflect::WaveModel> _waves;

@@ -1,6 +1,7 @@
 #include "Window.h"
 
 #include "Complain.h"
+#include "StatusPage.h"
 #include "WaterHandler.h"
 
 #include <osgGA/AnimationPathManipulator>
@@ -30,6 +31,7 @@ void osgwaterviewer::addHandlers(osgViewer::Viewer& viewer, osg::ApplicationUsag
     viewer.addEventHandler(new osgViewer::LODScaleHandler);
     viewer.addEventHandler(new osgViewer::ScreenCaptureHandler);
     viewer.addEventHandler(new WaterHandler(waters, waves));
+    viewer.addEventHandler(new StatusPage(waters));
 }
 
 bool osgwaterviewer::addManipulators(osgViewer::Viewer& viewer, const HomeView& home,
