@@ -11,33 +11,31 @@ using namespace osgWaterReflect;
 namespace
 {
 
-// Distances along the view [eye units].
-struct NearFar
+// Distance before the eye [eye units] at which a projection has an ndc z; infinite for the far
+// plane of an endless one.
+double distanceOf(const osg::Matrixd& projection, double ndcZ)
 {
-    double near;
-    double far; // may be infinite
-};
-
-NearFar nearFarOf(const osg::Matrixd& projection)
-{
-    const double a = projection(2, 2);
-    const double b = projection(3, 2);
-    if (projection(2, 3) == 0.0) return {(b + 1.0) / a, (b - 1.0) / a}; // orthographic
-    return {std::abs(b / (a - 1.0)), std::abs(b / (a + 1.0))};
+    const double z =
+        (ndcZ * projection(3, 3) - projection(3, 2)) / (projection(2, 2) - ndcZ * projection(2, 3));
+    return std::isfinite(z) ? -z : std::numeric_limits<double>::infinity();
 }
 
-void setNearFar(osg::Matrixd& projection, const NearFar& range)
+double ndcZOf(const osg::Matrixd& projection, double distance)
 {
-    const auto [near, far] = range;
-    if (projection(2, 3) == 0.0)
-    {
-        projection(2, 2) = -2.0 / (far - near);
-        projection(3, 2) = -(far + near) / (far - near);
-        return;
-    }
-    const double ratio = near / far;
-    projection(2, 2) = -(1.0 + ratio) / (1.0 - ratio);
-    projection(3, 2) = -2.0 * near / (1.0 - ratio);
+    if (std::isinf(distance)) return projection(2, 2) / projection(2, 3);
+    return (projection(3, 2) - distance * projection(2, 2)) /
+           (projection(3, 3) - distance * projection(2, 3));
+}
+
+// Nothing changes but z, in any kind of projection.
+void setNearFar(osg::Matrixd& projection, double nearest, double farthest)
+{
+    const double first = ndcZOf(projection, nearest);
+    const double last = ndcZOf(projection, farthest);
+    const double scale = 2.0 / (last - first);
+    for (int row = 0; row < 4; ++row)
+        projection(row, 2) =
+            scale * (projection(row, 2) - 0.5 * (first + last) * projection(row, 3));
 }
 
 } // namespace
@@ -62,13 +60,14 @@ void CapturedScene::cull(const CulledView& view, const CaptureEye& eye, const Nd
 // What the view shows is drawn, too.
 void CapturedScene::includeView(const CulledView& view)
 {
-    NearFar range = nearFarOf(*view.fittedProjection);
+    double nearest = distanceOf(*view.fittedProjection, -1.0);
+    double farthest = distanceOf(*view.fittedProjection, 1.0);
     if (_visitor->isFitted())
     {
-        const NearFar beyond = nearFarOf(*_projection);
-        range = {std::min(range.near, beyond.near), std::max(range.far, beyond.far)};
+        nearest = std::min(nearest, distanceOf(*_projection, -1.0));
+        farthest = std::max(farthest, distanceOf(*_projection, 1.0));
     }
-    setNearFar(*_projection, range);
+    setNearFar(*_projection, nearest, farthest);
 }
 
 glm::dmat4 CapturedScene::fitTo(const CaptureSize& size)

@@ -37,13 +37,17 @@ public:
         bindings::set(*_stateSet, uniform, value);
     }
 
-    /// In a texture unit of its own.
+    /// In a texture unit of its own. Where none is left, OSG_WARN tells so, once, and it is not
+    /// set.
     void setTexture(const std::string& sampler, osg::Texture* texture);
 
-    /// The shader's struct Capture (shaders/shared/interface.glsl), without depth cells and sky.
+    /// The shader's struct Capture (shaders/shared/interface.glsl), without depth cells and sky; in
+    /// units of its own, as a texture.
     void setCapture(const std::string& uniform, const Capture& capture);
 
 private:
+    bool takeUnits(unsigned int count, const std::string& name, unsigned int& first);
+
     const osg::ref_ptr<osg::StateSet> _stateSet;
     std::vector<const Effect*> _effects;
     std::map<std::string, CaptureBinding> _captures; // by uniform

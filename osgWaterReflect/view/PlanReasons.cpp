@@ -23,6 +23,8 @@ public:
 
     Reason eyeImage() const
     {
+        if (!_sheet.searchesEyeImage() && _sheet.looksAtScene)
+            return {true, "an effect looks at the scene"};
         if (!_sheet.usesEyeImage())
             return {false, _automatic ? "all water in view is calm and in one plane: its mirrored "
                                         "image shows all that it reflects"
@@ -41,6 +43,7 @@ public:
         if (!_sheet.usesEyeImage()) return {false, "there is no image of the eye"};
         if (_plan.eyeImage == EyeImage::COPIED)
         {
+            if (!_sheet.searchesEyeImage()) return {true, "an effect looks at the scene"};
             if (_asked.capture == CaptureKind::FRAME)
                 return {true, "CaptureKind::FRAME is asked for"};
             return {true, _plan.scene.redrawsAlike
@@ -75,7 +78,7 @@ public:
 
     Reason guardBand() const
     {
-        if (!_sheet.usesEyeImage()) return {false, "a mirrored image has none"};
+        if (!_sheet.searchesEyeImage()) return {false, "a mirrored image has none"};
         if (_plan.eyeSize.whole() != _plan.eyeSize.view)
             return {true, _plan.bandIsCut ? "reflected rays leave the view; it is cut down to its "
                                             "ceiling"

@@ -2,8 +2,10 @@
 // waves, which are made once.
 
 #include "support/Catch.h"
+#include "support/KeepPictures.h"
 #include "support/OffscreenView.h"
 #include "support/Scenes.h"
+#include "support/WrappedState.h"
 
 #include <osgWaterReflect/TrochoidalWaves>
 #include <osgWaterReflect/offscreen/OffscreenContext.h>
@@ -50,46 +52,18 @@ public:
     mutable int mostAlive = 0;
 
 private:
-    class State : public WaveState
+    class State : public WrappedState
     {
     public:
-        State(const WaveState& waves, std::atomic<int>& alive) : _waves(&waves), _alive(alive)
+        State(const WaveState& waves, std::atomic<int>& alive) : WrappedState(waves), _alive(alive)
         {
             ++_alive;
         }
         ~State() override { --_alive; }
-        double getHeight(const osg::Vec2d& place) const override
-        {
-            return _waves->getHeight(place);
-        }
-        osg::Vec3d getNormal(const osg::Vec2d& place) const override
-        {
-            return _waves->getNormal(place);
-        }
-        void apply(osg::StateSet& stateSet, const osg::Vec2d& anchor) const override
-        {
-            _waves->apply(stateSet, anchor);
-        }
 
     private:
-        const osg::ref_ptr<const WaveState> _waves;
         std::atomic<int>& _alive;
     };
-};
-
-// Keeps each frame of a camera, in the thread that draws it.
-class KeepPictures : public osg::Camera::DrawCallback
-{
-public:
-    void operator()(osg::RenderInfo&) const override
-    {
-        const osg::ref_ptr<osg::Image> image = new osg::Image;
-        image->allocateImage(WIDTH, HEIGHT, 1, GL_RGBA, GL_UNSIGNED_BYTE);
-        glReadBuffer(GL_FRONT);
-        glReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_UNSIGNED_BYTE, image->data());
-        pictures.push_back(image);
-    }
-    mutable std::vector<osg::ref_ptr<osg::Image>> pictures;
 };
 
 // Frames of two views, each in a context of its own, of one scene. What happens between the update
@@ -112,7 +86,7 @@ std::vector<osg::ref_ptr<osg::Image>> draw(osgViewer::ViewerBase::ThreadingModel
         camera.setReadBuffer(GL_FRONT);
         camera.setProjectionMatrixAsPerspective(46.0, double(WIDTH) / HEIGHT, 0.1, 1000.0);
         camera.setViewMatrixAsLookAt(eye, scenes::HARBOUR_CENTRE, osg::Vec3d(0, 0, 1));
-        kept.push_back(new KeepPictures);
+        kept.push_back(new KeepPictures(WIDTH, HEIGHT));
         camera.setFinalDrawCallback(kept.back());
         view->setSceneData(&scene);
         viewer.addView(view);

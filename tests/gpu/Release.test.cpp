@@ -2,6 +2,7 @@
 #include "support/Catch.h"
 #include "support/OffscreenView.h"
 #include "support/Scenes.h"
+#include "support/WrappedState.h"
 
 #include <osgWaterReflect/TrochoidalWaves>
 
@@ -55,29 +56,20 @@ public:
     }
 
 private:
-    class State : public osgWaterReflect::WaveState
+    class State : public WrappedState
     {
     public:
         State(const WaveState& waves, osg::observer_ptr<osg::StateSet>& drawn) :
-            _waves(&waves), _drawn(drawn)
+            WrappedState(waves), _drawn(drawn)
         {
-        }
-        double getHeight(const osg::Vec2d& place) const override
-        {
-            return _waves->getHeight(place);
-        }
-        osg::Vec3d getNormal(const osg::Vec2d& place) const override
-        {
-            return _waves->getNormal(place);
         }
         void apply(osg::StateSet& stateSet, const osg::Vec2d& anchor) const override
         {
-            _waves->apply(stateSet, anchor);
+            WrappedState::apply(stateSet, anchor);
             _drawn = &stateSet;
         }
 
     private:
-        const osg::ref_ptr<const WaveState> _waves;
         osg::observer_ptr<osg::StateSet>& _drawn;
     };
 

@@ -2,6 +2,7 @@
 // seen by ThreadSanitizer (tests/sanitize/run.sh).
 
 #include "support/Catch.h"
+#include "support/KeepPictures.h"
 #include "support/OffscreenView.h"
 #include "support/Scenes.h"
 
@@ -24,23 +25,6 @@ const int HEIGHT = 72;
 const int FRAMES = 12;
 
 using Pictures = std::vector<osg::ref_ptr<osg::Image>>;
-
-// Keeps each frame of a camera, in the thread that draws it.
-class KeepPictures : public osg::Camera::DrawCallback
-{
-public:
-    void operator()(osg::RenderInfo&) const override
-    {
-        const osg::ref_ptr<osg::Image> image = new osg::Image;
-        image->allocateImage(WIDTH, HEIGHT, 1, GL_RGBA, GL_UNSIGNED_BYTE);
-        glReadBuffer(GL_FRONT);
-        glReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_UNSIGNED_BYTE, image->data());
-        if (glGetError() != GL_NO_ERROR) ++errors;
-        pictures.push_back(image);
-    }
-    mutable Pictures pictures;
-    mutable int errors = 0;
-};
 
 // The harbour with a pond and a lake that two cameras see; all of it changes between frames, in the
 // way that OSG asks for: what is drawn, and changes by itself, is DYNAMIC.
@@ -131,7 +115,7 @@ std::array<Pictures, 2> draw(osgViewer::ViewerBase::ThreadingModel model, bool o
         camera->setViewport(0, 0, WIDTH, HEIGHT);
         camera->setDrawBuffer(GL_FRONT);
         camera->setReadBuffer(GL_FRONT);
-        kept[i] = new KeepPictures;
+        kept[i] = new KeepPictures(WIDTH, HEIGHT);
         camera->setFinalDrawCallback(kept[i]);
         const osg::Vec3d eye(i == 0 ? -5.0 : 6.0, -14.0, 3.5);
         viewer.addSlave(camera, osg::Matrixd(),

@@ -2,11 +2,14 @@
 
 #include "support/Catch.h"
 #include "support/ListedEffect.h"
+#include "support/Refusals.h"
 #include "support/WholeFile.h"
 #include "support/mist/Mist.h"
 
 #include <osgWaterReflect/shaders/ShaderSource.h>
 #include <osgWaterReflect/water/WaterProgram.h>
+
+#include <osg/Texture2D>
 
 #include <algorithm>
 #include <string>
@@ -135,4 +138,40 @@ TEST_CASE("docs/extending.md has the effect word for word")
     REQUIRE(first < last);
     const std::string quoted = "```cpp\n" + header.substr(first, last - first) + "```\n";
     CHECK(wholeFile("docs/extending.md").find(quoted) != std::string::npos);
+}
+
+namespace
+{
+
+// More textures than there are units.
+class ManyTextures : public Mist
+{
+public:
+    void apply(EffectState& state, const WaterSurface&, const EffectView&) const override
+    {
+        for (int i = 0; i < 7; ++i)
+            state.setTexture("osgwr_many" + std::to_string(i), new osg::Texture2D);
+    }
+};
+
+} // namespace
+
+// Breaks where takeUnits() always says yes.
+TEST_CASE("an effect that asks for more texture units than there are is refused the rest, by name")
+{
+    const ManyTextures effect;
+    const osg::ref_ptr<WaterSurface> water = createWater();
+    EffectState state;
+    Refusals refusals;
+    for (int frame = 0; frame < 3; ++frame)
+    {
+        state.update({&effect}, *water, EffectView());
+        CHECK((refusals.take().find("osgwr_many5") != std::string::npos) == (frame == 0));
+    }
+    const osg::StateSet& stateSet = *state.stateSet();
+    for (unsigned int unit = 0; unit < 20; ++unit)
+        CHECK((stateSet.getTextureAttribute(unit, osg::StateAttribute::TEXTURE) != nullptr) ==
+              (unit >= 9 && unit < 14));
+    CHECK(stateSet.getUniform("osgwr_many4"));
+    CHECK_FALSE(stateSet.getUniform("osgwr_many5"));
 }

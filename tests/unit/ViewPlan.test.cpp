@@ -1,6 +1,8 @@
 // What is planned for the water of a view, and why, without drawing anything.
 
 #include "support/Catch.h"
+#include "support/ListedEffect.h"
+#include "support/glass/Glass.h"
 
 #include <osgWaterReflect/TrochoidalWaves>
 #include <osgWaterReflect/view/ViewPlan.h>
@@ -197,6 +199,27 @@ TEST_CASE("a nested view draws its image where a copy is asked for, and says so"
     view.make();
     CHECK(view.plan.eyeImage == EyeImage::DRAWN);
     CHECK_FALSE(decision(view.plan, "copied from the frame").done);
+}
+
+// Breaks where explain() takes an image that only an effect looks at for one that rays are looked
+// for in.
+TEST_CASE("an effect that looks at the scene has it copied, and is the reason that is told")
+{
+    const ListedEffect<Glass> glass;
+    PlannedView view;
+    view.add().setUserValue("glass", true);
+    CHECK(view.kind() == CaptureKind::MIRROR);
+    CHECK(view.plan.eyeImage == EyeImage::COPIED);
+    CHECK(contains(NdcExtent(), view.possible)); // so that nothing is culled for it
+    CHECK(view.plan.eyeSize.whole() == view.plan.eyeSize.view);
+    CHECK_FALSE(view.plan.eyeCells);
+    for (const char* subject : {"image of the eye", "copied from the frame"})
+    {
+        CHECK(decision(view.plan, subject).done);
+        CHECK(std::string(decision(view.plan, subject).reason) == "an effect looks at the scene");
+    }
+    CHECK(decision(view.plan, "mirrored image").done);
+    CHECK(std::string(decision(view.plan, "guard band").reason) == "a mirrored image has none");
 }
 
 // Breaks where the scale is the first water's, or the loser is not told.
