@@ -161,7 +161,7 @@ MUTANTS = [
     cpp(33, "the steepest waves lean as the others do", "band/ReflectedExtent.cpp",
         "const double slope = maxSlope / std::pow(std::cos(0.5 * step), 2.0);",
         "const double slope = 0.9 * maxSlope;", unit("no reflected ray leaves*")),
-    cpp(33, "a sphere around a leaf is half as large", "capture/SeenPyramid.h",
+    cpp(33, "a sphere around a leaf is half as large", "capture/SeenPyramid.cpp",
         "radius = radiusLocal * std::sqrt(squaredStretch) * (1.0 + 1e-6);",
         "radius = 0.5 * radiusLocal * std::sqrt(squaredStretch);",
         gpu("a copied frame is reflected*")),
